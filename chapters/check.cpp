@@ -13,13 +13,24 @@
 
 namespace stokesbook::exercise {
 
+namespace {
+
+/// Returns the largest difference that a Comparison permits.
+double permitted(const Value& expected, double tolerance) {
+  const ComplexVector& y = expected.entries();
+  const double size = y.size() > 0 ? y.cwiseAbs().maxCoeff() : 0.0;
+  return tolerance * (size > 0.0 ? size : 1.0);
+}
+
+}  // namespace
+
 bool agree(const Value& got, const Value& expected, double tolerance) {
   const ComplexVector &x = got.entries(), &y = expected.entries();
   if (x.size() != y.size()) return false;
-  const double size = y.size() > 0 ? y.cwiseAbs().maxCoeff() : 0.0;
+  const double limit = permitted(expected, tolerance);
   // Entry by entry: a maximum may lose a NaN.
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    if (!(std::abs(x[i] - y[i]) <= tolerance * (size > 0.0 ? size : 1.0))) return false;
+    if (!(std::abs(x[i] - y[i]) <= limit)) return false;
   }
   return true;
 }
@@ -56,8 +67,8 @@ namespace {
 /// A mistake that gives the first wrong result of a task.
 struct Candidate {
   std::string sentence;
-  Value result;            ///< the first wrong one
-  bool confirmed = false;  ///< another wrong result, which differs, is that of the mistake too
+  Complex number;          ///< the first wrong one
+  bool confirmed = false;  ///< another wrong number, which differs, is that of the mistake too
   bool refuted = false;    ///< another wrong result is not that of the mistake
 };
 
@@ -88,22 +99,22 @@ Findings findings;  // of the task that is being checked
 void expect(const Comparison& comparison) {
   const auto& [what, got, expected, tolerance, mistakes] = comparison;
   if (agree(got, expected, tolerance)) return;
-  if (findings.first_wrong.empty()) {
-    findings.first_wrong = line("for", what) + difference(got, expected);
-    for (const Mistake& mistake : mistakes) {
-      if (agree(got, mistake.gives, tolerance)) {
-        findings.candidates.push_back({mistake.sentence, got});
-      }
-    }
-    return;
+  const double limit = permitted(expected, tolerance);
+  const ComplexVector &x = got.entries(), &y = expected.entries();
+  std::vector<Complex> wrong;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (x.size() != y.size() || !(std::abs(x[i] - y[i]) <= limit)) wrong.push_back(x[i]);
   }
-  for (Candidate& candidate : findings.candidates) {
-    for (const Mistake& mistake : mistakes) {
-      if (mistake.sentence != candidate.sentence) continue;
-      if (!agree(got, mistake.gives, tolerance)) {
-        candidate.refuted = true;
-      } else if (!agree(got, candidate.result, tolerance)) {
-        candidate.confirmed = true;
+  const bool is_first = findings.first_wrong.empty();
+  if (is_first) findings.first_wrong = line("for", what) + difference(got, expected);
+  for (const Mistake& mistake : mistakes) {
+    const bool fits = !wrong.empty() && agree(got, mistake.gives, tolerance);
+    if (is_first && fits) findings.candidates.push_back({mistake.sentence, wrong.front()});
+    for (Candidate& candidate : findings.candidates) {
+      if (candidate.sentence != mistake.sentence) continue;
+      if (!fits) candidate.refuted = true;
+      for (const Complex number : wrong) {
+        if (fits && std::abs(number - candidate.number) > limit) candidate.confirmed = true;
       }
     }
   }

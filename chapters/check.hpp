@@ -70,8 +70,8 @@ std::string difference(const Value& got, const Value& expected);
 
 /// Compares a result with its exact value. The first wrong result of a task is reported when its
 /// check has ended. A mistake that gives this result is named only if it gives all wrong results of
-/// the task, at least two different ones. Of any other mistake that gives the first wrong result,
-/// the report says that this is one way to get it.
+/// the task, and if these have two different wrong numbers or more. Of any other mistake that gives
+/// the first wrong result, the report says that this is one way to get it.
 void expect(const Comparison& comparison);
 
 /// Checks all tasks, whose numbers are those of the exercise's README, and reports on each. These

@@ -304,22 +304,26 @@ def without_build_lines(output):
                   flags=re.MULTILINE)
 
 
-def limited(command, seconds, memory=resource.RLIM_INFINITY, **options):
+def limited(command, seconds, memory=None, **options):
     """Exit code of a command that may loop, wait, or write for ever; negative for a signal. The
     time is limited in CPU seconds, because other programs may keep the machine busy, and by the
-    clock, because a program may wait for ever. Nothing that it has started is left behind."""
+    clock, because a program may wait for ever. The rest of its process group is ended with it."""
     def set_limits():
-        for kind, soft, hard in [(resource.RLIMIT_CPU, seconds, seconds + 1),
-                                 (resource.RLIMIT_FSIZE, BYTES_WRITTEN, BYTES_WRITTEN),
-                                 (resource.RLIMIT_AS, memory, memory),
-                                 (resource.RLIMIT_CORE, 0, 0)]:
-            resource.setrlimit(kind, (soft, hard))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        for kind, limit in [(resource.RLIMIT_FSIZE, BYTES_WRITTEN), (resource.RLIMIT_CORE, 0),
+                            (resource.RLIMIT_AS, memory)]:
+            hard = resource.getrlimit(kind)[1]
+            if limit is not None and (hard == resource.RLIM_INFINITY or limit < hard):
+                resource.setrlimit(kind, (limit, limit))
 
     with subprocess.Popen(command, stdin=subprocess.DEVNULL, stderr=subprocess.STDOUT,
                           start_new_session=True, preexec_fn=set_limits, **options) as process:
         try:
             return process.wait(CLOCK * seconds)
         except subprocess.TimeoutExpired:
+            process.terminate()  # ninja ends its compilers
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                process.wait(5)
             return -signal.SIGXCPU
         finally:
             with contextlib.suppress(ProcessLookupError):

@@ -96,15 +96,16 @@ class Diagnosis(unittest.TestCase):
         return result.stdout
 
     def task(self, title):
-        return re.search(rf"task \d, {title}: (.*\n(    .*\n)*)", self.report())[1]
+        return re.search(rf"task \d+, {title}: (.*\n(    .*\n)*)", self.report())[1]
 
     def test_a_mistake_is_named_if_it_explains_two_inputs(self):
         self.assertEqual(self.task("right"), "passed\n")
-        self.assertIn("\n    mistake   twice as much\n", self.task("twice"))
+        for title in "twice", "vector":
+            self.assertIn("\n    mistake   twice as much\n", self.task(title))
 
     def test_else_it_is_one_way_to_get_a_value(self):
         for title, sentence in [("once", "twice as much"), ("mixed", "the sign"),
-                                ("constant", "this is nothing")]:
+                                ("constant", "this is nothing"), ("equal", "twice as much")]:
             self.assertIn(f"\n    perhaps   {sentence} (one way to get this value)\n",
                           self.task(title))
             self.assertNotIn("mistake", self.task(title))
@@ -112,8 +113,8 @@ class Diagnosis(unittest.TestCase):
                          "    expected  10\n")
 
     def test_a_task_names_the_wrong_ones_on_which_it_builds(self):
-        self.assertIn("    note      task 8 builds on task 2, which is wrong\n"
-                      "    note      task 8 builds on task 7, which is not done\n",
+        self.assertIn("    note      task 10 builds on task 2, which is wrong\n"
+                      "    note      task 10 builds on task 9, which is not done\n",
                       self.report())
         self.assertNotIn("builds on task 1", self.report())
 
@@ -125,7 +126,7 @@ class Diagnosis(unittest.TestCase):
 
     def test_one_task(self):
         text = self.report(TASK="2")
-        self.assertEqual(re.findall(r"task \d", text), ["task 2"])
+        self.assertEqual(re.findall(r"task \d+", text), ["task 2"])
         self.assertIn("0 of 1 tasks passed", text)
 
     def test_records(self):
@@ -134,8 +135,8 @@ class Diagnosis(unittest.TestCase):
             self.report(REPORT=str(file))
             records = exercises.records_of(file)
         self.assertEqual([word for word, _ in records.values()],
-                         ["passed", *5 * ["wrong"], "not done", "stopped by an exception"])
-        self.assertIn("thrown;1\tpassed", records[8][1])
+                         ["passed", *7 * ["wrong"], "not done", "stopped by an exception"])
+        self.assertIn("thrown;1\tpassed", records[10][1])
 
 
 class Reader(Tool):

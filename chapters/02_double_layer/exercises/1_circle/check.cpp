@@ -105,10 +105,10 @@ void check_layer(double alpha, Side side) {
               {-exact, "the sign is the other one"}}});
 }
 
-void check_density() {
+void check_density(double factor) {
   constexpr Index n = 32;
   const Curve circle = sample(Circle{1.0}, n, Side::fluid_inside);
-  ComplexVector u = coefficients, got(modes), jump_only(modes);
+  ComplexVector u = factor * coefficients, got(modes), jump_only(modes);
   u[1 - lowest] = imaginary * u[1 - lowest].imag();  // no net flux
   for (int k = lowest; k < lowest + modes; ++k) got[k - lowest] = density_mode(k, u[k - lowest]);
   jump_only = -2.0 * u;
@@ -117,7 +117,7 @@ void check_density() {
     const Eigen::VectorXd layer = double_layer_matrix(circle) * interleaved(density);
     return deinterleaved(layer) - 0.5 * density;
   };
-  expect({.what = "the limit of your density, at 32 nodes",
+  expect({.what = "the limit of your density, at 32 nodes, for " + exercise::text(factor) + " u",
           .got = limit_of(got),
           .expected = node_values(u, n),
           .tolerance = 1e-12,
@@ -160,5 +160,7 @@ int main() {
                         {.title = "the density",
                          .formula = "-eta_k/2 + (D eta)_k = u_k",
                          .hint = "for k = 1 split eta_1 into its real and imaginary part",
-                         .check = check_density}});
+                         .check = [] {
+                           for (double factor : {1.0, -0.5}) check_density(factor);
+                         }}});
 }

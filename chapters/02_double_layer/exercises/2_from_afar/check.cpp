@@ -51,67 +51,76 @@ struct Layer {
   }
 };
 
-void check_force() {
-  expect({.what = "Stokeslet and rotlet at (0.3, 0.1), radii 3 and 7",
-          .got = force(loaded_flow, viscosity, 3.0, 7.0),
-          .expected = load,
+Velocity times(double factor, const Velocity& flow) {
+  return [factor, flow](Complex z) { return factor * flow(z); };
+}
+
+void check_force(double factor, double inner, double outer) {
+  const std::string radii = ", radii " + exercise::text(inner) + " and " + exercise::text(outer);
+  const Complex exact = factor * load;
+  expect({.what = exercise::text(factor) + " times Stokeslet and rotlet at (0.3, 0.1)" + radii,
+          .got = force(times(factor, loaded_flow), viscosity, inner, outer),
+          .expected = exact,
           .tolerance = 1e-10,
-          .mistakes = {{-load,
+          .mistakes = {{-exact,
                         "this is the force by the fluid: near the body the velocity is that "
                         "of the push"},
-                       {load / viscosity, "the viscosity is missing"},
-                       {load / (4.0 * pi * viscosity), "the factor 4 pi mu is missing"},
-                       {load * std::log(7.0 / 3.0),
+                       {exact / viscosity, "the viscosity is missing"},
+                       {exact / (4.0 * pi * viscosity), "the factor 4 pi mu is missing"},
+                       {exact * std::log(outer / inner),
                         "the difference is to be divided by the "
                         "logarithm of the radii's ratio"},
-                       {0.5 * load, "half of the force"}}});
-  expect({.what = "a double layer, radii 3 and 7",
-          .got = force(Layer(), viscosity, 3.0, 7.0),
+                       {0.5 * exact, "half of the force"}}});
+  expect({.what = "a double layer" + radii,
+          .got = force(Layer(), viscosity, inner, outer),
           .expected = Complex{},
           .tolerance = 1e-10});
 }
 
-void check_torque() {
-  expect({.what = "Stokeslet and rotlet at (0.3, 0.1), radius 3",
-          .got = torque(loaded_flow, viscosity, 3.0),
-          .expected = whole_torque,
+void check_torque(double factor, double radius) {
+  const std::string where = ", radius " + exercise::text(radius);
+  const double exact = factor * whole_torque;
+  expect({.what = exercise::text(factor) + " times Stokeslet and rotlet at (0.3, 0.1)" + where,
+          .got = torque(times(factor, loaded_flow), viscosity, radius),
+          .expected = exact,
           .tolerance = 1e-10,
-          .mistakes = {{0.5 * whole_torque,
-                        "this is the circulation times the viscosity: half of the torque"},
-                       {-whole_torque, "the torque is positive counter-clockwise"},
-                       {turn, "the force at (0.3, 0.1) has a torque about the origin too"},
-                       {whole_torque / 3.0, "a factor of the radius is missing"},
-                       {whole_torque / viscosity, "the viscosity is missing"}}});
-  expect({.what = "a double layer, radius 3",
-          .got = torque(Layer(), viscosity, 3.0),
+          .mistakes = {
+              {0.5 * exact, "this is the circulation times the viscosity: half of the torque"},
+              {-exact, "the torque is positive counter-clockwise"},
+              {factor * turn, "the force at (0.3, 0.1) has a torque about the origin too"},
+              {exact / radius, "a factor of the radius is missing"},
+              {exact / viscosity, "the viscosity is missing"}}});
+  expect({.what = "a double layer" + where,
+          .got = torque(Layer(), viscosity, radius),
           .expected = 0.0,
           .tolerance = 1e-10});
 }
 
-void check_flux() {
+void check_flux(double factor, double radius) {
+  const std::string where = ", radius " + exercise::text(radius);
   const Layer layer;
-  const double exact = layer.outflow();
-  expect({.what = "a double layer, radius 3: the integral of eta.n over the body",
-          .got = flux(layer, 3.0),
+  const double exact = factor * layer.outflow();
+  expect({.what = exercise::text(factor) + " times a double layer" + where +
+                  ": the integral of eta.n over the body",
+          .got = flux(times(factor, layer), radius),
           .expected = exact,
           .tolerance = 1e-10,
           .mistakes = {{-exact, "this is what flows in"},
-                       {exact / (2.0 * pi * 3.0), "the length of the circle is missing"},
-                       {exact / 3.0, "the radius is missing"},
+                       {exact / (2.0 * pi * radius), "the length of the circle is missing"},
+                       {exact / radius, "the radius is missing"},
                        {exact / (2.0 * pi), "the factor 2 pi is missing"}}});
-  expect({.what = "Stokeslet and rotlet, radius 3",
-          .got = flux(loaded_flow, 3.0),
+  expect({.what = "Stokeslet and rotlet" + where,
+          .got = flux(loaded_flow, radius),
           .expected = 0.0,
           .tolerance = 1e-10});
 }
 
-void check_completion() {
-  const Complex z{1.1, -0.6};
+void check_completion(Complex z) {
   const auto exact = [&](double of_force, double of_torque) {
     return of_force * stokeslet(z, load, viscosity, 1.0) + of_torque * rotlet(z, turn, viscosity);
   };
   const double scale = 4.0 * pi * viscosity;
-  expect({.what = "the velocity at (1.1, -0.6)",
+  expect({.what = "the velocity at " + exercise::text(z),
           .got = completion(load, turn, viscosity)(z),
           .expected = exact(1.0, 1.0),
           .tolerance = 1e-12,
@@ -188,19 +197,35 @@ int main() {
       {{.title = "the force",
         .formula = "4 pi mu (mean on the inner circle - mean on the outer)/log(outer/inner)",
         .hint = "the mean of a Stokeslet falls with the logarithm of the radius",
-        .check = check_force},
+        .check =
+            [] {
+              check_force(1.0, 3.0, 7.0);
+              check_force(-2.0, 2.0, 5.0);
+            }},
        {.title = "the torque",
         .formula = "4 pi mu R times the mean of u.t, t = i exp(i t)",
         .hint = "a rotlet turns with L/(4 pi mu R)",
-        .check = check_torque},
+        .check =
+            [] {
+              check_torque(1.0, 3.0);
+              check_torque(-2.0, 5.0);
+            }},
        {.title = "the flux",
         .formula = "2 pi R times the mean of u.n, n = exp(i t)",
         .hint = "an integral over the arclength of the circle",
-        .check = check_flux},
+        .check =
+            [] {
+              check_flux(1.0, 3.0);
+              check_flux(-2.0, 5.0);
+            }},
        {.title = "the completion",
         .formula = "S F + R L, both with 1/(4 pi mu)",
         .hint = "double_layer/kernels.hpp has both",
-        .check = check_completion},
+        .check =
+            [] {
+              check_completion({1.1, -0.6});
+              check_completion({-0.4, 1.3});
+            }},
        {.title = "the experiment",
         .builds_on = {1, 2, 4},
         .formula = "double layer + completion = flow",
