@@ -178,7 +178,7 @@ class Reader(Tool):
                 ("broken", 1, "0 of 4 tasks passed", [0, 1])]:
             self.check(source, code=code)
             self.assertEqual(self.state(), state)
-            self.assertEqual(row("01_trapezoid"), [*counts, 2])
+            self.assertEqual(row("01_trapezoid"), [*counts, 3])
             self.assertEqual(row("all"), [*counts, every - 1])
 
     def test_copy(self):
