@@ -215,7 +215,8 @@ inline constexpr double default_contact_step_tolerance = 1e-3;
 /// Settings for the time steps of a run.
 struct TimeSettings {
   double t_final = 0.0;  ///< end of the run, > 0; the run starts at 0
-  /// Longest step, > 0; the first step if steps are adapted; none: chosen by the method
+  /// Longest step, > 0; the first step if steps are adapted; none, for embedded methods alone:
+  /// chosen by the method
   std::optional<double> dt{};
   SteppingMethod method = SteppingMethod::dormand_prince54;  ///< method that advances the bodies
   /// Error of positions, in units of the largest body's radius, and of angles, in radians, to which

@@ -241,6 +241,19 @@ BOOST_AUTO_TEST_CASE(walls_and_held_bodies_move_as_prescribed) {
   BOOST_TEST(std::abs(end.walls[0].orientation - 0.5) < 1e-14);
 }
 
+BOOST_AUTO_TEST_CASE(only_embedded_methods_choose_their_first_step) {
+  for (const SteppingMethod method : methods) {
+    Scene scene = sheared_pair(method);
+    scene.time->dt = {};
+    const SuspensionSolver solver(scene);
+    if (is_embedded(method)) {
+      BOOST_CHECK_NO_THROW(Simulation(solver, Observer{}));
+    } else {
+      BOOST_CHECK_THROW(Simulation(solver, Observer{}), std::invalid_argument);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_run_that_cannot_go_on_says_when_and_why) {
   Scene scene;
   scene.flow = ExtensionalFlow{-1.0};

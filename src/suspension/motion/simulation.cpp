@@ -2,6 +2,7 @@
 #include "suspension/motion/simulation.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "suspension/bodies/configuration.hpp"
@@ -9,6 +10,7 @@
 #include "suspension/motion/free_steps.hpp"
 #include "suspension/motion/stepping.hpp"
 #include "suspension/solver/fields.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -44,6 +46,9 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
       state_{.now = {0.0, to_state(solver.start().configuration), {}},
              .amplitude = 1.0,
              .solves = instants_.memory()} {
+  const std::optional<TimeSettings>& time = solver.scene().time;
+  require(!time || is_embedded(time->method) || time->dt,
+          "time.dt is required: the method of the scene does not choose its first step");
   if (solver.scene().contact) {
     state_.closer.emplace();
     steps_ = std::make_unique<ContactSteps>(solver, schedule_, instants_, statistics_);

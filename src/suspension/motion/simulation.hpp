@@ -33,6 +33,8 @@ class Simulation {
  public:
   /// Takes the configuration at the start of a scene with [time], or of any scene if only
   /// solve_once() is called. The solver must outlive the simulation.
+  ///
+  /// @throws std::invalid_argument when the method is not embedded and time.dt is missing
   Simulation(const SuspensionSolver& solver, Observer observer);
 
   Simulation(const Simulation&) = delete;  ///< forbidden: members refer to each other
