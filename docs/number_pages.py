@@ -36,9 +36,9 @@ class Shown:
     def label(self):
         return f"{'table' if self.is_table else 'figure'} {self.number}"
 
-    @property
-    def link(self):
-        return f'<a href="{self.page}.html#{self.stem}">{self.label}</a>'
+    def link(self, begins=False):
+        label = self.label.capitalize() if begins else self.label
+        return f'<a href="{self.page}.html#{self.stem}">{label}</a>'
 
 
 def shown_in(text):
@@ -54,6 +54,12 @@ def shown_in(text):
         found.append(Shown(match[1], page, number, follows))
         end = match.end()
     return found
+
+
+def begins_sentence(match):
+    """Returns whether a match begins a sentence or a paragraph of its text."""
+    before = match.string[:match.start()]
+    return before.endswith("\n\n") or before.rstrip().endswith((".", "!", "?"))
 
 
 def unreferred(text):
@@ -162,7 +168,8 @@ def numbered_pages(texts, find, sections):
         for stem in set(SEE.findall(text)):
             if stem not in own:
                 raise SystemExit(f"{page}: \\see_{stem}: no page includes such a figure or table")
-        written[f"{page}.md"] = SEE.sub(lambda match: own[match[1]].link, text)
+        written[f"{page}.md"] = SEE.sub(
+            lambda match: own[match[1]].link(begins_sentence(match)), text)
         for shown in figures[k]:
             title, study = sections.get(shown.name, (shown.name, None))
             written[shown.file] = figure_html(shown, find(shown.name), title, study)

@@ -231,6 +231,8 @@ class Numbers(unittest.TestCase):
         link = '<a href="chapter_01.html#a_x_figure">figure 01.1</a>'
         self.assertIn(f"see {link} and\n", pages["chapter_01.md"])
         self.assertIn(f"See {link}.\n", pages["chapter_02.md"])
+        begun = self.pages(self.FIRST, self.SECOND.replace("See \\see_", "New. \\see_"))
+        self.assertIn(f"New. {link.replace('figure 01', 'Figure 01')}.\n", begun["chapter_02.md"])
         self.assertEqual(number_pages.faults(self.FIRST), ["the text does not refer to a_y_table"])
         self.assertEqual(number_pages.faults("# One {#chapter_01}\n" + "word " * 4400), [])
         self.assertEqual(number_pages.faults("# One {#chapter_01}\n" + "word " * 4700),
