@@ -48,7 +48,7 @@ P = modes @ np.linalg.solve(weighted @ modes, weighted)  # the mean rigid motion
 matrix = -0.5 * np.eye(2 * N) + layer(x, on_curve=True) - P
 eta = np.linalg.solve(matrix, real(point_flow(x - source, F, L) - point_flow(x, F, L_centre)))
 print("condition", np.linalg.cond(matrix))
-print("velocities", *real(velocity(1j * (b + np.array([1.0, 0.05, 0.01])), eta)))
+print("velocities", *real(velocity(1j * (b + np.array([1.0, 0.2, 0.06])), eta)))
 fine = np.linspace(0, 2 * np.pi, 10 * N)
 z = np.linspace(1.01, 2.2, 120)[:, None] * (a * np.cos(fine) + 1j * b * np.sin(fine))
 error = abs(velocity(z.ravel(), eta) - point_flow(z.ravel() - source, F, L)).reshape(z.shape)
