@@ -169,7 +169,8 @@ def main(root, folder, study, results):
               for text in texts for fault in number_pages.faults(text)]
     if faults:
         raise SystemExit("\n".join(faults))
-    folders = [study, results, folder, root / "docs/drawings", *(path.parent for path in chapters)]
+    folders = [study, results, folder, root / "docs/drawings", root / "docs/interactive",
+               *(path.parent for path in chapters)]
     pages = number_pages.numbered_pages(texts, lambda name: included_file(name, folders),
                                         number_pages.study_sections(study))
     pages["glossary.md"] = glossary.glossary_page(

@@ -1,0 +1,31 @@
+// Prints the numbers of the interactive figures, computed by the libraries: a line of JSON for each case.
+#include "interactive/numbers.hpp"
+
+#include <cstdio>
+
+namespace {
+
+void print(const char* name, const interactive::Numbers& numbers) {
+  std::printf(", \"%s\": {", name);
+  const char* separator = "";
+  for (const auto& [key, value] : numbers) {
+    std::printf("%s\"%s\": %.17g", separator, key.c_str(), value);
+    separator = ", ";
+  }
+  std::printf("}");
+}
+
+void print_cases(const char* figure, const std::vector<interactive::Case>& cases) {
+  for (const auto& [settings, numbers] : cases) {
+    std::printf("{\"figure\": \"%s\"", figure);
+    print("settings", settings);
+    print("numbers", numbers);
+    std::printf("}\n");
+  }
+}
+
+}  // namespace
+
+int main() {
+  print_cases("pole", interactive::pole());
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+// The numbers of the interactive figures, computed by the libraries: a function for each figure.
+namespace interactive {
+
+using Numbers = std::vector<std::pair<std::string, double>>;
+
+// Settings of a figure, and the numbers that the figure shows for them. The names are those of its script.
+struct Case {
+  Numbers settings, numbers;
+};
+
+std::vector<Case> pole();
+
+}  // namespace interactive
