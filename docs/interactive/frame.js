@@ -191,12 +191,18 @@ window.figures ??= (() => {
     }
 
     // Each control changes one setting and shows its value.
-    const add = (key, [control, show]) => { controls.append(control); follow.push(() => show(settings[key])); };
-    for (const [key, slide] of Object.entries(figure.sliders ?? {})) {
-      add(key, slider(slide, value => set({[key]: value})));
+    function add(key, [control, show]) {
+      controls.append(control);
+      follow.push(() => {
+        show(settings[key]);
+        control.hidden = figure.when?.[key]?.(settings) === false;
+      });
     }
     for (const [key, choose] of Object.entries(figure.choices ?? {})) {
       add(key, choice(choose, value => set({[key]: value})));
+    }
+    for (const [key, slide] of Object.entries(figure.sliders ?? {})) {
+      add(key, slider(slide, value => set({[key]: value})));
     }
     for (const handle of figure.handles ?? []) follow.push(grip(svg, handle, settings, set));
 
@@ -218,6 +224,7 @@ window.figures ??= (() => {
     //   settings   name -> value at the start; all values are numbers
     //   sliders    setting -> [label, from, to, step]
     //   choices    setting -> [label, names of the buttons]
+    //   when       setting -> function(settings) that returns whether its slider or buttons have an effect
     //   handles    [{panel, label, step, at(settings) -> point, to(settings, point) -> settings, anywhere}]
     //   shown      name of a number -> its label
     //   numbers    function(settings) -> numbers by name

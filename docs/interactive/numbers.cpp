@@ -27,5 +27,9 @@ void print_cases(const char* figure, const std::vector<interactive::Case>& cases
 }  // namespace
 
 int main() {
+  print_cases("mistake", interactive::mistake());
+  print_cases("mobility", interactive::mobility());
   print_cases("pole", interactive::pole());
+  print_cases("preimage", interactive::preimage());
+  print_cases("push", interactive::push());
 }

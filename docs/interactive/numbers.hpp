@@ -14,6 +14,10 @@ struct Case {
   Numbers settings, numbers;
 };
 
+std::vector<Case> mistake();
+std::vector<Case> mobility();
 std::vector<Case> pole();
+std::vector<Case> preimage();
+std::vector<Case> push();
 
 }  // namespace interactive
