@@ -28,8 +28,8 @@
 
   figures.add("mistake", {
     settings: {mistake: 0, N: 64},
-    choices: {mistake: ["mistake", ["none", "other normal", "1/2π for 1/π", "zero diagonal",
-                                    "other sign of κ", "jump of the other side"]]},
+    choices: {mistake: ["mistake", ["none", "other normal", "1/2π for 1/π", "zero diagonal", "other sign of κ",
+                                    "jump of the other side"]]},
     sliders: {N: ["number <i>N</i> of nodes", 32, 128, 16]},
     shown: {inside: "errors: inside", fluid: "in the fluid", on: "on the curve", flux: "of the flux"},
 
@@ -39,7 +39,8 @@
         Math.hypot(...plus(layer(nodes, one, target, node, mistake), [share, 0], -1));
       const seen = error => error < 1e-12 ? 0 : error;  // rounding errors count as 0
       return {inside: seen(errorAt(INSIDE, -1, 1)), fluid: seen(errorAt(FLUID, -1, 0)),
-              on: seen(Math.max(...nodes.map(({x}, j) => errorAt(x, j, 0.5)))), flux: seen(fluxError(nodes, mistake))};
+              on: seen(Math.max(...nodes.map(({x}, j) => errorAt(x, j, 0.5)))),
+              flux: seen(fluxError(nodes, mistake))};
     },
 
     draw({mistake, N}, numbers) {

@@ -42,7 +42,8 @@
         const own = turned([x, y], -angle);
         if ((own[0] / (a + 0.12)) ** 2 + (own[1] / (b + 0.12)) ** 2 < 1) continue;
         const u = flow(settings, [x, y], sources), size = Math.hypot(...u);
-        if (size > 1e-9) found.push(fluid.arrow([x, y], plus([x, y], u, 0.3 * Math.min(1, size / 2) / size), "line-0", 1.2));
+        const length = 0.3 * Math.min(1, size / 2);
+        if (size > 1e-9) found.push(fluid.arrow([x, y], plus([x, y], u, length / size), "line-0", 1.2));
       }
     }
     return found.join("");

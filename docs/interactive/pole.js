@@ -1,7 +1,7 @@
 // Chapter 01: a pole of f(t) = 1/(cosh d - cos t), and the error of the trapezoid rule.
 {
   const PI = Math.PI;
-  const strip = new figures.Panel({left: 48, top: 24, width: 440, height: 170}, [-PI, PI], [-2.2, 2.2]);
+  const strip = new figures.Panel({left: 68, top: 24, width: 420, height: 170}, [-PI, PI], [-2.2, 2.2]);
   const errors = new figures.Panel({left: 68, top: 232, width: 420, height: 150}, [0, 64], [1e-16, 10], {log: true});
 
   const exact = d => 2 * PI / Math.sinh(d);

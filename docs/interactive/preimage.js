@@ -3,7 +3,7 @@
 {
   const {Panel} = figures, {PI} = Math;
   const fluid = new Panel({left: 60, top: 24, width: 440, height: 242}, [-2, 2], [-1.1, 1.1]);
-  const strip = new Panel({left: 60, top: 302, width: 440, height: 118}, [-PI, PI], [-1.5, 1.5]);
+  const strip = new Panel({left: 60, top: 302, width: 440, height: 118}, [-PI, PI], [-2, 2]);
   const errors = new Panel({left: 60, top: 466, width: 440, height: 118}, [0, 128], [1e-16, 10], {log: true});
   const clamp = (value, bound) => Math.min(bound, Math.max(-bound, value));
 
@@ -46,7 +46,7 @@
     draw(settings, numbers) {
       const {x, y, b, N} = settings, five = 10 * PI / N;
       const deepest = Math.atanh(Math.min(b, 0.999999));  // there the points x(t - ih) reach the foci
-      const [near, far] = preimages(x, y, b).map(([u, v]) => [u, clamp(v, 1.5)]);
+      const [near, far] = preimages(x, y, b).map(t => Math.abs(t[1]) < 2 ? t : null);  // null: not on the picture
       const outer = fluid.path(shifted(b, five), true);
       const inner = five < deepest ? fluid.path(shifted(b, -five).reverse(), true) : "";
       const counts = Array.from({length: 31}, (_, k) => 8 + 4 * k), least = value => Math.max(value, 1e-16);
@@ -56,13 +56,13 @@
           'fill-opacity="0.15" fill-rule="evenodd"/></g>',
         fluid.line(shifted(b, 0)), fluid.dots(plane.ellipse(1, b, N).map(node => node.x), "line-0", 2.5),
         fluid.label([x, y], "z", "", {dx: 12, dy: -8}),
-        fluid.label([-2, -1.1], "shaded: nearer than five spacings", "line-1", {dx: 8, dy: -8}),
+        fluid.label([-2, -1.1], "shaded: within five spacings", "line-1", {dx: 8, dy: -8}),
         fluid.axes([-2, -1, 0, 1, 2], [-1, 0, 1], "", "target z and the nodes"),
-        strip.area([[-PI, -five], [PI, -five], [PI, five], [-PI, five]].map(([u, v]) => [u, clamp(v, 1.5)]), "line-1"),
+        strip.area([[-PI, -five], [PI, -five], [PI, five], [-PI, five]].map(([u, v]) => [u, clamp(v, 2)]), "line-1"),
         strip.line([[-PI, 0], [PI, 0]]),
         strip.dots(plane.ellipse(1, b, N).map((_, j) => [-PI + 2 * PI * j / N, 0]), "line-0", 2.5),
-        strip.cross(near, "line-1", 6), far ? strip.cross(far, "", 4) : "",
-        strip.axes([-3, -2, -1, 0, 1, 2, 3], [-1, 0, 1], "", "its preimages: Im t against Re t"),
+        near ? strip.cross(near, "line-1", 6) : "", far ? strip.cross(far, "", 4) : "",
+        strip.axes([-3, -2, -1, 0, 1, 2, 3], [-2, -1, 0, 1, 2], "", "its preimages: Im t against Re t"),
         errors.line(counts.map(n => [n, least(n * Math.exp(-numbers.d * n))]).filter(point => point[1] < 10), "line-1"),
         errors.dots(counts.map(n => [n, Math.min(least(error(settings, n)), 10)]), "line-0", 2.5),
         errors.dots([[N, Math.min(least(numbers.error), 10)]], "line-0", 6),
