@@ -54,7 +54,7 @@
       {panel: fluid, label: "point of measurement", step: 0.05, at: ({x, y}) => [x, y],
        to: (_, [x, y]) => ({x: clamp(x, 2), y: clamp(y, 1.4)})}],
     shown: {u: "velocity at <i>x</i>: <i>u</i><sub>1</sub> =", v: "<i>u</i><sub>2</sub> =",
-            ratio: "speed at twice the distance, over speed:", flux: "outflow through the circle:"},
+            ratio: "at twice the distance, speed times", flux: "outflow of the circle"},
 
     numbers(settings) {
       const r = [settings.x, settings.y], [u, v] = velocity(settings, r);
