@@ -55,7 +55,7 @@
         `<g class="line-1" clip-path="url(#preimage-clip)"><path d="${outer}${inner}" fill="currentColor" ` +
           'fill-opacity="0.15" fill-rule="evenodd"/></g>',
         fluid.line(shifted(b, 0)), fluid.dots(plane.ellipse(1, b, N).map(node => node.x), "line-0", 2.5),
-        fluid.label([x, y], "z", "", {dx: 12, dy: -8}),
+        fluid.dots([[x, y]], "line-1", 5), fluid.label([x, y], "z", "", {dx: 12, dy: -8}),
         fluid.label([-2, -1.1], "shaded: within five spacings", "line-1", {dx: 8, dy: -8}),
         fluid.axes([-2, -1, 0, 1, 2], [-1, 0, 1], "", "target z and the nodes"),
         strip.area([[-PI, -five], [PI, -five], [PI, five], [-PI, five]].map(([u, v]) => [u, clamp(v, 2)]), "line-1"),

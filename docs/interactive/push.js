@@ -74,7 +74,7 @@
         fluid.label(tip(settings), ["F", "L", "η"][kind], "line-1", {dx: 12, dy: -8}),
         kind === STRESSLET ? fluid.arrow([0, 0], times(0.5, normal), "line-2", 3) +
                         fluid.label(times(0.6, normal), "n", "line-2", {dx: -4, dy: 4}) : "",
-        fluid.label([x, y], "x", "", {dx: 12, dy: -8}),
+        fluid.dots([[x, y]], "line-1", 5), fluid.label([x, y], "x", "", {dx: 12, dy: -8}),
         fluid.axes([-2, -1, 0, 1, 2], [-1, 0, 1], "", "the flow, and a circle of radius 1"),
         decay.line(curve.filter(point => point[1] > 1e-3 && point[1] < 10), "line-0"),
         decay.dots([[clamp(Math.log10(rho), 1), Math.min(10, Math.max(1e-3, speed(settings, [x, y])))]], "line-0", 6),
