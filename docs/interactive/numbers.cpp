@@ -27,6 +27,11 @@ void print_cases(const char* figure, const std::vector<interactive::Case>& cases
 }  // namespace
 
 int main() {
+  print_cases("bearing", interactive::bearing());
+  print_cases("close", interactive::close());
+  print_cases("disks", interactive::disks());
+  print_cases("fmm", interactive::fmm());
+  print_cases("gmres", interactive::gmres());
   print_cases("mistake", interactive::mistake());
   print_cases("mobility", interactive::mobility());
   print_cases("pole", interactive::pole());

@@ -14,6 +14,11 @@ struct Case {
   Numbers settings, numbers;
 };
 
+std::vector<Case> bearing();
+std::vector<Case> close();
+std::vector<Case> disks();
+std::vector<Case> fmm();
+std::vector<Case> gmres();
 std::vector<Case> mistake();
 std::vector<Case> mobility();
 std::vector<Case> pole();
