@@ -207,7 +207,7 @@ window.figures ??= (() => {
     for (const handle of figure.handles ?? []) follow.push(grip(svg, handle, settings, set));
 
     svg.setAttribute("role", "group");
-    if (title) {  // as a title it would cover the drawing while the mouse rests
+    if (title) {  // browsers show a title over the drawing while the mouse rests
       svg.setAttribute("aria-label", title.textContent);
       title.remove();
     }
