@@ -10,6 +10,7 @@ the chapters that it builds on. An exercise is listed if it has a README.md.
 import html
 import pathlib
 import re
+import shutil
 import sys
 
 import glossary
@@ -153,9 +154,8 @@ def included_file(name, folders):
 
 
 def main(root, folder, study, results):
-    folder.mkdir(parents=True, exist_ok=True)
-    for old in folder.iterdir():
-        old.unlink()
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
     methods, exercises = methods_of(root), exercises_of(root)
     for chapter, exercise, readme in exercises:
         (folder / f"exercise_{chapter}_{exercise}.md").write_text(
@@ -175,7 +175,10 @@ def main(root, folder, study, results):
                                         number_pages.study_sections(study))
     pages["glossary.md"] = glossary.glossary_page(
         [text for name, text in sorted(pages.items()) if re.fullmatch(r"chapter_\d\d\.md", name)])
+    for file in set().union(*map(number_pages.quoted_files, texts)):
+        pages[f"source/{file}.txt"] = (root / file).read_text()
     for name, text in pages.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)
 
 

@@ -13,6 +13,7 @@ from check_pages import FORMULA, without_code
 
 INCLUDE = re.compile(r"^@htmlinclude (?:\S*/)?(\w+_(figure|table)\.html|\w+\.svg)$", re.MULTILINE)
 SEE = re.compile(r"[@\\]see_(\w+)")
+SNIPPET = re.compile(r"^(@snippet (\S+) \S+\n)\n", re.MULTILINE)
 TITLE = re.compile(r"# (.*) \{#(\w+)\}\n")
 MOST_WORDS = 4500  # of a chapter's prose
 WORDS_A_MINUTE = 45  # slow, because formulas and figures take their time, but are not counted
@@ -134,6 +135,16 @@ def with_section_numbers(text, chapter):
     return "\n".join([*lines, ""])
 
 
+def quoted_files(text):
+    """Returns the source files from which a page quotes."""
+    return {match[2] for match in SNIPPET.finditer(text)}
+
+
+def with_sources(text):
+    """Returns the text with a link to the whole file below each quotation of code."""
+    return SNIPPET.sub(r'\1@htmlonly[block]<p class="source"><a href="source/\2.txt">\2</a></p>@endhtmlonly\n', text)
+
+
 def pager(chapters, k):
     """Returns links to the chapters before and after the chapter k of (title, anchor) pairs."""
     links = [f'<a rel="{relation}" href="{chapters[j][1]}.html">{html.escape(chapters[j][0])}</a>'
@@ -164,6 +175,7 @@ def numbered_pages(texts, find, sections):
                     f'@htmlonly[block]<p class="reading">Reading time: {minutes} minutes '
                     f"({words:,} words at {WORDS_A_MINUTE} a minute, formulas included)</p>@endhtmlonly\n"
                     f"{body}\n{pager(chapters, k)}\n")
+        text = with_sources(text)
         text = INCLUDE.sub(lambda _: f"@htmlinclude[block] {next(in_order).file}", text)
         for stem in set(SEE.findall(text)):
             if stem not in own:

@@ -240,6 +240,13 @@ class Numbers(unittest.TestCase):
         with self.assertRaises(SystemExit):
             self.pages(self.SECOND)
 
+    def test_quotations_link_to_their_files(self):
+        text = "# One {#chapter_01}\n\n@snippet src/a/b.cpp part\n\nText.\n"
+        self.assertEqual(number_pages.quoted_files(text), {"src/a/b.cpp"})
+        page = self.pages(text)["chapter_01.md"]
+        self.assertIn("@snippet src/a/b.cpp part\n@htmlonly[block]", page)
+        self.assertIn('<a href="source/src/a/b.cpp.txt">src/a/b.cpp</a>', page)
+
     def test_texts_keep_their_lines_and_get_their_numbers(self):
         lines = self.pages(self.FIRST, self.SECOND)["chapter_01.md"].splitlines()
         self.assertEqual(lines[0], "# 1 One {#chapter_01}")
