@@ -38,7 +38,10 @@
 
     draw(settings, {exact}) {
       const {x, y, N} = settings, e = displacement(settings), [a, b] = across(settings);
-      const arrow = (f, colour, width) => plane.arrow([x, y], [x + f[0] / 60, y + f[1] / 60], colour, width);
+      const arrow = ([u, v], colour, width) => {  // not longer than the drawing is wide
+        const scale = 1 / Math.max(60, Math.hypot(u, v) / 1.6);
+        return plane.arrow([x, y], [x + u * scale, y + v * scale], colour, width);
+      };
       const [withN0, without] = forces(settings);
       const circle = (x, y, r) => Array.from({length: 121}, (_, k) =>
         [x + r * Math.cos(PI * k / 60), y + r * Math.sin(PI * k / 60)]);

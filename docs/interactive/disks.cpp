@@ -70,28 +70,29 @@ stokesbook::SteppingSettings controlled_steps(double tolerance) {
           .bound = {tolerance, Eigen::VectorXd::Ones(1)}};
 }
 
-interactive::Case disks_case(double time, double gap, double dt, double digits) {
+interactive::Case disks_case(double time, double gap, int count, double digits) {
   const GapRun exact = run_of_gap(gap, {.method = stokesbook::SteppingMethod::prince_dormand87,
                                         .bound = {1e-12, Eigen::VectorXd::Ones(1)}});
   // The path back is the path there, so that the gap at a time before the turn is that of 8 - time.
   const GapRun part =
       run_of_gap(gap, {.method = stokesbook::SteppingMethod::rk4, .dt = 0.01}, 8.0 - time);
-  const GapRun fixed = run_of_gap(gap, {.method = stokesbook::SteppingMethod::euler, .dt = dt});
+  const GapRun fixed =
+      run_of_gap(gap, {.method = stokesbook::SteppingMethod::euler, .dt = 4.0 / count});
   const GapRun controlled = run_of_gap(gap, controlled_steps(std::pow(10.0, -digits)));
-  return {.settings = {{"time", time}, {"gap", gap}, {"dt", dt}, {"digits", digits}},
+  return {.settings = {{"time", time}, {"gap", gap}, {"count", count}, {"digits", digits}},
           .numbers = {{"speed", solved_closing_speed(part.end)},
                       {"least", exact.at_turn},
                       {"fixed", fixed.at_turn},
                       {"controlled", controlled.at_turn},
                       {"back", fixed.end},
                       {"returned", controlled.end},
-                      {"steps", static_cast<double>(fixed.steps)},
+                      {"step", 4.0 / count},
                       {"taken", static_cast<double>(controlled.steps)}}};
 }
 
 }  // namespace
 
 std::vector<interactive::Case> interactive::disks() {
-  return {disks_case(1.0, 1.0, 0.5, 3.0), disks_case(0.5, 2.0, 4.0, 2.0),
-          disks_case(1.5, 0.4, 0.06, 4.5)};
+  return {disks_case(1.0, 1.0, 8, 3.0), disks_case(0.5, 2.0, 1, 2.0),
+          disks_case(1.5, 0.4, 67, 4.5)};
 }

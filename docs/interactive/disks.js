@@ -24,9 +24,9 @@
     return [...path, ...path.slice(0, -1).reverse()].map((gap, k) => [k * dt, gap]);
   }
 
-  // Euler's steps of equal length, none longer than dt. They end where the disks overlap.
-  function fixedPath(start, dt) {
-    const path = [[0, start]], steps = Math.max(1, Math.ceil(half / dt - 1e-9));
+  // Euler's steps of equal length. They end where the disks overlap.
+  function fixedPath(start, steps) {
+    const path = [[0, start]];
     for (let k = 0; k < 2 * steps && path.at(-1)[1] > 0; ++k) {
       const [, gap] = path.at(-1), t = half * k / steps;
       path.push([half * (k + 1) / steps, gap + half / steps * rate(t, gap)]);
@@ -83,30 +83,31 @@
   const gapAt = (path, time) => path.find(([t]) => t >= time)?.[1] ?? path.at(-1)[1];
 
   figures.add("disks", {
-    settings: {time: 2, gap: 1, dt: 0.5, digits: 3},
-    sliders: {gap: ["gap at the start, in radii", 0.05, 3, 0.05], dt: ["longest fixed step", 0.02, 4, 0.02],
+    settings: {time: 2, gap: 1, count: 8, digits: 3},
+    sliders: {gap: ["gap at the start, in radii", 0.05, 3, 0.05], count: ["fixed steps until the turn", 1, 100, 1],
               digits: ["tolerance 10<sup>−<i>q</i></sup>: <i>q</i>", 1, 7, 0.5]},
     handles: [{panel: gaps, label: "time", step: 0.2, at: ({time, gap}) => [time, at(exactPath(gap), time)],
                to: (_, [time]) => ({time: Math.min(end, Math.max(0, time))})}],
     shown: {speed: "closing speed at this time", least: "least gap: exact", fixed: "by fixed steps",
             controlled: "by the tolerance", back: "gap at the end: by fixed steps",
-            returned: "by the tolerance", steps: "number of fixed steps", taken: "of steps by the tolerance"},
+            returned: "by the tolerance", step: "length of a fixed step",
+            taken: "number of steps by the tolerance"},
 
-    numbers({time, gap, dt, digits}) {
-      const fixed = fixedPath(gap, dt), controlled = controlledPath(gap, 10 ** -digits);
+    numbers({time, gap, count, digits}) {
+      const fixed = fixedPath(gap, count), controlled = controlledPath(gap, 10 ** -digits);
       return {speed: speed(at(exactPath(gap), time)), least: exactPath(gap)[400][1],
               fixed: gapAt(fixed, half), controlled: gapAt(controlled, half), back: fixed.at(-1)[1],
-              returned: controlled.at(-1)[1], steps: fixed.length - 1, taken: controlled.length - 1};
+              returned: controlled.at(-1)[1], step: half / count, taken: controlled.length - 1};
     },
 
-    draw({time, gap, dt, digits}) {
-      const exact = exactPath(gap), fixed = fixedPath(gap, dt), path = controlledPath(gap, 10 ** -digits);
+    draw({time, gap, count, digits}) {
+      const exact = exactPath(gap), fixed = fixedPath(gap, count), path = controlledPath(gap, 10 ** -digits);
       const turn = Array.from({length: 61}, (_, k) => Math.PI * k / 30);
       const circle = x => turn.map(angle => [x + Math.cos(angle), Math.sin(angle)]);
       const apart = at(exact, time) / 2 + 1, wrong = at(fixed, time) / 2 + 1, push = time < half ? -1 : 1;
       const floor = points => points.map(([t, value]) => [t, Math.max(value, 1e-3)]);
       const words = fixed.at(-1)[1] > 0 ? "" :
-        fixed.at(-1)[1] < -4 ? "fixed steps: the disks have changed places" : "fixed steps: the disks overlap";
+        fixed.at(-1)[1] < -4 ? "the disks have changed places" : "the disks overlap";
       const law = exact.slice(0, 401).map(([t]) => [t, (1 / Math.sqrt(gap) + 4 / 3 * t) ** -2]);
       return [
         ...[-1, 1].flatMap(side => [

@@ -106,6 +106,7 @@
         draw(leaf.near, "line-0", filled),
         draw(far, "", 'fill="none" stroke="currentColor" stroke-opacity="0.7" stroke-dasharray="3 3"'),
         `<path d="${dots}" stroke="currentColor" stroke-width="1.7" stroke-linecap="round"/>`,
+        plane.dots([[settings.x, settings.y]], "line-1", 3),
         draw([leaf], "", 'fill="none" stroke="currentColor" stroke-width="2.4"'),
         plane.label([-1.1, 1.1], "Boxes that act on the framed leaf, or on a dashed box that contains it:", "",
                     {dx: -44, dy: -42}),
