@@ -48,7 +48,7 @@ eta = np.linalg.solve(matrix + N_0, real(1j * omega * x * shaft))
 F_1, F_2, L = held @ eta
 print("load_of_shaft", F_1, F_2, L)
 print("condition", np.linalg.cond(matrix + N_0))
-z = np.linspace(-2, 2, 160) + 1j * np.linspace(-1.5, 2.5, 160)[:, None]
+z = np.linspace(-2, 2, 80) + 1j * np.linspace(-1.5, 2.5, 80)[:, None]
 u = (np.array([1, 1j]) @ (layer(z.ravel()) @ rest @ eta).reshape(2, -1)
      + loads(z.ravel(), F_1 + 1j * F_2, L)).reshape(z.shape)
 u[(abs(z) < 1.1) | (abs(z - 1j * e) > R - 0.2)] = np.nan  # far enough for the plain sum

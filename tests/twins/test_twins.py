@@ -17,9 +17,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 TWINS = {path.parent.name[:2]: path for path in sorted(ROOT.glob("chapters/[0-9][0-9]_*/twin.py"))}
 MOST_LINES = 60
 
-# Twin and library evaluate the same formulas with the same nodes, so that only rounding errors
-# differ, times condition numbers of a few hundreds. In chapter 10 both find the time of contact up
-# to a tolerance of 1e-9; in chapter 12 the solver chooses its own nodes, to a tolerance of 1e-11.
+# Twin and library evaluate the same formulas with the same nodes, so that they differ by rounding
+# errors, times condition numbers of a few hundreds and, in chapter 07, two differentiations. In
+# chapter 10 both find places of contact up to a tolerance of 1e-9, on edges that turn; in chapter 12
+# the solver chooses its own nodes, to a tolerance of 1e-11.
 TOLERANCE = {"10": 1e-8}
 USUAL_TOLERANCE = 1e-10
 
@@ -49,7 +50,7 @@ def run(twin, *arguments, folder=None):
     """The lines of a twin: its numbers, and the file of its figure."""
     output = subprocess.run([sys.executable, "-B", twin, *arguments], cwd=folder, text=True,
                             check=True, capture_output=True,
-                            env=os.environ | {"PYTHONWARNINGS": "error"}).stdout
+                            env=os.environ | {"PYTHONWARNINGS": "error::RuntimeWarning"}).stdout
     *lines, last = output.splitlines()
     word, figure = last.split(maxsplit=1)
     assert word == "figure"
@@ -79,6 +80,20 @@ class Twins(unittest.TestCase):
                 self.assertGreater(len({*pyplot.imread(path).reshape(-1, 4)[:, 0]}), 10)
                 self.assertEqual(differences(numbers(lines), numbers(self.library[chapter]),
                                              TOLERANCE.get(chapter, USUAL_TOLERANCE)), [])
+
+    def test_a_planted_mistake_is_found(self):
+        text = TWINS["03"].read_text()
+        with tempfile.TemporaryDirectory() as folder:
+            for right, wrong in (("1j * dx / abs(dx)", "-1j * dx / abs(dx)"),  # the normal
+                                 ("-loads(x, 1, 0)", "loads(x, 1, 0)"),
+                                 ("1j * x)])", "1j * x.conj())])")):  # the rotation
+                with self.subTest(wrong=wrong):
+                    self.assertEqual(text.count(right), 1)
+                    copy = pathlib.Path(folder, "twin.py")
+                    copy.write_text(text.replace(right, wrong))
+                    lines, _ = run(copy, folder=folder)
+                    self.assertNotEqual(differences(numbers(lines), numbers(self.library["03"]),
+                                                    USUAL_TOLERANCE), [])
 
     def test_without_argument_the_figure_is_in_the_current_folder(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/SVD>
+#include <Eigen/Core>
 
 #include "closure/bordered_system.hpp"
 #include "closure/rigid_modes.hpp"
@@ -27,6 +25,8 @@
 #include "stress/stress.hpp"
 #include "stress/stresslet.hpp"
 #include "stress/traction.hpp"
+#include "support/dense.hpp"
+#include "support/spectra.hpp"
 #include "suspension/solver/solver.hpp"
 #include "time_stepping/stepper.hpp"
 #include "trapezoid/fourier.hpp"
@@ -69,18 +69,13 @@ VectorXd values_of(const RigidMotion& motion) {
   return VectorXd{{motion.velocity.real(), motion.velocity.imag(), motion.omega}};
 }
 
-double condition(const MatrixXd& matrix) {
-  const VectorXd values = Eigen::BDCSVD<MatrixXd>(matrix).singularValues();
-  return values[0] / values[values.size() - 1];
-}
-
 Component free_body(const Curve& curve, Complex centre) {
   return {ComponentKind::free_body, curve, centre, {}, 0.0, {}};
 }
 
 VectorXd solve_reduced(const StokesProblem& problem) {
   const DenseSystem system = assemble(problem, ClosureForm::reduced);
-  return system.matrix.partialPivLu().solve(system.rhs);
+  return test::solve(system.matrix, system.rhs);
 }
 
 void chapter_01() {
@@ -110,10 +105,10 @@ void chapter_02() {
   const RigidModeMatrices rigid = rigid_mode_matrices(curve, 0.0);
   const MatrixXd matrix = double_layer_matrix(curve) - rigid.modes * rigid.projection -
                           0.5 * MatrixXd::Identity(128, 128);
-  print("condition", condition(matrix));
+  print("condition", test::condition_number(matrix));
   const ComplexVector data =
       point_flow(curve.x, source, torque) - point_flow(curve.x, 0.0, of_centre);
-  const VectorXd density = matrix.partialPivLu().solve(VectorXd(interleaved(data)));
+  const VectorXd density = test::solve(matrix, interleaved(data));
   const ComplexVector targets{{{0.0, 1.5}, {0.0, 0.7}, {0.0, 0.56}}};
   print("velocities", by_component(StressletSum({curve})(targets, deinterleaved(density)) +
                                    point_flow(targets, 0.0, of_centre)));
@@ -152,10 +147,10 @@ void chapter_04() {
   const StokesProblem problem{{shaft, bushing}, 1.0, {}, {}};
   DenseSystem system = assemble(problem, ClosureForm::reduced);
   system.matrix.bottomRightCorner(2 * n, 2 * n) += null_space_matrix(bushing.curve);
-  const VectorXd solution = system.matrix.partialPivLu().solve(system.rhs);
+  const VectorXd solution = test::solve(system.matrix, system.rhs);
   const Load load = complete_dense(problem, ClosureForm::reduced, solution).loads[0];
   print("load_of_shaft", VectorXd{{load.force.real(), load.force.imag(), load.torque}});
-  print("condition", condition(system.matrix));
+  print("condition", test::condition_number(system.matrix));
 }
 
 void chapter_05() {
@@ -352,7 +347,7 @@ void chapter_13() {
       matrix.block(target * size, (1 - target) * size, size, size) =
           (layer - layer * rigid.modes * rigid.projection) * inverse;
     }
-    const VectorXd eigenvalues = Eigen::EigenSolver<MatrixXd>(matrix, false).eigenvalues().real();
+    const VectorXd eigenvalues = test::eigenvalues(matrix).real();
     print(std::string("least_and_largest_") + name,
           VectorXd{{eigenvalues.minCoeff(), eigenvalues.maxCoeff()}});
   }
