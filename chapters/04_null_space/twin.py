@@ -31,7 +31,7 @@ def layer(z, on_curve=False):
 
 
 def loads(r, F, L):
-    """Stokeslet and rotlet of (03.4), with the gauge length of a held circle, sqrt(e)."""
+    """Stokeslet and rotlet of (03.4), with the gauge length exp(1/2) of a held circle."""
     log = np.log(abs(r)) - 0.5
     return (r * ((r.conj() * F).real + 1j * L) / abs(r) ** 2 - log * F) / (4 * np.pi * mu)
 

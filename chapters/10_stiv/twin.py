@@ -14,10 +14,10 @@ A, B = 1.2 * unit.real + 0.5j * unit.imag, 0.6 * unit.real + 0.9j * unit.imag  #
 path_A, path_B = (-2.3 + 0.3j, 0.2, 4.5 - 0.2j, -0.6), (0.2j, -0.1, 0.3 + 0.1j, 0.2)
 
 
-def place(X, of, seen_from, tau):  # of a vertex X of one body in the frame of the other (10.2)
-    (c_A, theta_A, dc_A, d_A), (c_B, theta_B, dc_B, d_B) = of, seen_from
-    turn_A, turn_B = np.exp(1j * (theta_A + tau * d_A)), np.exp(1j * (theta_B + tau * d_B))
-    return (c_A - c_B + tau * (dc_A - dc_B) + turn_A * X) / turn_B
+def place(X, of, seen_from, tau):  # z(tau) of a vertex X, in the frame of the other body (10.2)
+    (c_A, theta_A, dc_A, dtheta_A), (c_B, theta_B, dc_B, dtheta_B) = of, seen_from
+    arm = np.exp(1j * (theta_A + tau * dtheta_A)) * X
+    return np.exp(-1j * (theta_B + tau * dtheta_B)) * (c_A - c_B + tau * (dc_A - dc_B) + arm)
 
 
 def closest(z, polygon):
@@ -30,9 +30,9 @@ def closest(z, polygon):
 
 def follow(X, of, polygon, seen_from, tau=0.0):
     """The time of first contact and the gap of a vertex; without contact, the time 1 and no gap."""
-    (c_A, _, dc_A, d_A), (c_B, _, dc_B, d_B) = of, seen_from
-    L = abs(d_A - d_B) * abs(X) + max(
-        abs(dc_A - dc_B - 1j * d_B * (c_A - c_B + tau * (dc_A - dc_B))) for tau in (0, 1))  # (10.4)
+    (c_A, _, dc_A, dtheta_A), (c_B, _, dc_B, dtheta_B) = of, seen_from
+    centres = c_A - c_B + np.array([0, 1]) * (dc_A - dc_B)  # at the start and at the end
+    L = max(abs(dc_A - dc_B - 1j * dtheta_B * centres)) + abs((dtheta_A - dtheta_B) * X)  # (10.4)
     while tau < 1:
         z = place(X, of, seen_from, tau)
         d, n = closest(z, polygon)

@@ -19,8 +19,8 @@ MOST_LINES = 60
 
 # Twin and library evaluate the same formulas with the same nodes, so that they differ by rounding
 # errors, times condition numbers of a few hundreds and, in chapter 07, two differentiations. In
-# chapter 10 both find places of contact up to a tolerance of 1e-9, on edges that turn; in chapter 12
-# the solver chooses its own nodes, to a tolerance of 1e-11.
+# chapter 10 both find places of contact up to a tolerance of 1e-9, on edges that turn; in chapter
+# 12 the solver chooses its own nodes, to a tolerance of 1e-11.
 TOLERANCE = {"10": 1e-8}
 USUAL_TOLERANCE = 1e-10
 

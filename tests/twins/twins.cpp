@@ -1,5 +1,6 @@
-// Computes with the libraries the numbers that the twins of the chapters compute in NumPy, and prints
-// them in lines: the chapter, the name, the values. Each function has the problem of its twin.
+// Computes with the libraries the numbers that the twins of the chapters compute in NumPy. Each
+// line of its output has the chapter, the name and the values. Each function has the problem of its
+// twin.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -156,8 +157,8 @@ void chapter_04() {
 void chapter_05() {
   for (const Index n : {48, 96, 192}) {
     const Curve circle = sample(Circle{1.0}, n, Side::fluid_outside);
-    StokesProblem problem{{free_body(circle, 0.0), free_body(place(circle, 2.5, 0.0), 2.5)},
-                          1.0, {}, {}};
+    StokesProblem problem{
+        {free_body(circle, 0.0), free_body(place(circle, 2.5, 0.0), 2.5)}, 1.0, {}, {}};
     problem.background = imaginary * all_nodes(curves_of(problem)).conjugate();
     const DenseSystem system = assemble(problem, ClosureForm::reduced);
     const GmresResult result =
@@ -181,8 +182,7 @@ void chapter_06() {
   for (const auto& [name, distance] : {std::pair{"1.0", 1.0}, {"0.01", 1e-2}, {"1e-06", 1e-6}}) {
     const ComplexVector target{{Complex{2.0 * c, s} + distance * Complex{c, 2.0 * s}}};
     const Complex u = cauchy.velocity(data, 0, target)[0];
-    const double pressure =
-        cauchy.derivatives(cauchy.derivative_data(data), 0, target)[0].pressure;
+    const double pressure = cauchy.derivatives(cauchy.derivative_data(data), 0, target)[0].pressure;
     print(std::string("flow_at_") + name, VectorXd{{u.real(), u.imag(), pressure}});
   }
 }
@@ -198,8 +198,8 @@ void chapter_07() {
   for (FlowDerivatives& at : at_nodes) at += {0.0, 0.0, strain};
   const ComplexVector traction = boundary_traction(problem, at_nodes);
   const Complex stresslet = body_stresslet(curve, flow.density(), mu),
-                of_traction = -0.5 * (traction.array() * curve.x.array() *
-                                      weights(curve).array()).sum();
+                of_traction =
+                    -0.5 * (traction.array() * curve.x.array() * weights(curve).array()).sum();
   print("stresslets", by_component(ComplexVector{{stresslet, of_traction}}));
   print("intrinsic_viscosity", intrinsic_viscosity(stresslet, strain, 0.5 * pi, mu));
   VectorXd pressures(5);
@@ -220,8 +220,8 @@ void chapter_08() {
                  nx = 0.1 / pi * j.cos(), ny = 0.1 / pi * j.sin(),
                  least2 = VectorXd::Constant(nodes, 0.05 * 0.05), ex = j.cos(),
                  ey = (3.0 * j).sin();
-  const StressletBlock block{x.data(), y.data(), nx.data(), ny.data(), least2.data(),
-                             nodes,    ex.data(), ey.data()};
+  const StressletBlock block{x.data(),      y.data(), nx.data(), ny.data(),
+                             least2.data(), nodes,    ex.data(), ey.data()};
   Expansions multipole(1, 1, order), local(1, 1, order);
   multipole.clear(0);
   local.clear(0);
@@ -282,8 +282,8 @@ void chapter_10() {
         contact_shape(sample(Ellipse{a, b}, 120, Side::fluid_outside)));
   };
   const ContactShapes shapes{ellipse(1.2, 0.5), ellipse(0.6, 0.9)};
-  const PathPair paths{0, 1, {{{-2.3, 0.3}, 0.2}, {4.5, -0.2}, -0.6},
-                       {{{0.0, 0.2}, -0.1}, {0.3, 0.1}, 0.2}};
+  const PathPair paths{
+      0, 1, {{{-2.3, 0.3}, 0.2}, {4.5, -0.2}, -0.6}, {{{0.0, 0.2}, -0.1}, {0.3, 0.1}, 0.2}};
   const PairEvents pair = pair_events(shapes, paths, {0.1, 1e-9, 0.4, 0.0});
   double first = 1.0, deepest = 0.0, volume = 0.0;
   for (const auto* events : {&pair.events_a, &pair.events_b}) {
