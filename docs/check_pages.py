@@ -34,6 +34,7 @@ BROKEN_LINK = re.compile(r'@ref \w+ "[^"\n]*$')
 ACCURACY = re.compile(r"@par Accuracy.*\n(?:\s*///(?! *@).*\n|\s*/// *@ref.*\n)*")
 # Markdown takes such a line for an item of a list if the result is a whole number.
 AS_ITEM = re.compile(r"\s*[@\\]val_\w+\.\s")
+ITEM_IN_PARAGRAPH = re.compile(r"^(?!\d+\. |[-+*] )\S.*\n(?=(\d+\.) )", re.MULTILINE)
 CODE_COMMAND = re.compile(r"[@\\](?:code|verbatim)\b|<pre\b", re.IGNORECASE)
 
 TYPED_RESULT = re.compile(
@@ -160,6 +161,9 @@ def chapter_violations(name, text):
                    for line, result in typed_results(prose)]
     violations += [f"{name}:{number}: a result that may be an item of a list, as 11. is: not first"
                    for number, line in enumerate(prose.splitlines(), 1) if AS_ITEM.match(line)]
+    violations += [f"{name}:{prose.count(chr(10), 0, match.end()) + 1}: {match[1]} begins a line of a "
+                   "paragraph, and would become an item of a list"
+                   for match in ITEM_IN_PARAGRAPH.finditer(prose)]
     return violations
 
 

@@ -57,6 +57,8 @@ class Chapters(unittest.TestCase):
     def test_results_that_may_be_items(self):
         self.assert_found("It takes\n\\val_01_error_32. Others take more.\n", "chapter.md:4", "list")
         self.assertEqual(chapter("It takes\n\\val_01_error_32, say.\n"), [])
+        self.assert_found("From a gap of\n2. The end.\n", "chapter.md:4", "item of a list")
+        self.assertEqual(chapter("Steps:\n\n1. The one.\n2. The other.\n"), [])
 
     def test_digits_that_are_significant(self):
         for definition in "0.125", "0.0125", "0.001", "1.25", "12.5", "100", "0.5":
