@@ -12,20 +12,21 @@ import sys
 from check_pages import MATH
 
 # A page's rank is the first pattern that its name matches: of equal hits, chapters come first.
-RANKS = ["chapter_", "(?!group_|class|struct|namespace|exercise_|study_|claims)", "exercise_",
-         "study_|claims", "group_|class|struct|namespace"]
+RANKS = ["chapter_", "(?!group_|class|struct|namespace|exercise_|study_|claims|bibliography)",
+         "exercise_", "study_|claims|bibliography", "group_|class|struct|namespace"]
 BLOCKS = {"p", "div", "li", "td", "th", "dt", "dd", "figcaption", "summary"}
 NOT_READ = {"toc", "permalink", "fragment"}  # classes; quoted code would outweigh the text
 NO_TEXT = re.compile(r".*-members|.*_animation|dir_.*|.*_8[hc]pp|annotated|modules|pages|topics")
 
 
 class Sections(html.parser.HTMLParser):
-    """Collects [heading, anchor, text] of each section of a page; the first is the page's title."""
+    """Collects [heading, anchor, text, bold terms] of each section of a page, the title first."""
 
     def __init__(self, text):
         super().__init__()
         self.sections = []
         self._anchor, self._heading, self._silent = "", None, []  # open heading, silent elements
+        self._bold = False
         self.feed(text)
 
     def handle_starttag(self, tag, attributes):
@@ -35,12 +36,13 @@ class Sections(html.parser.HTMLParser):
             if not self._silent or tag == self._silent[0]:
                 self._silent.append(tag)
         elif re.fullmatch("h[1-6]", tag) or "title" in classes and tag == "div":
-            self.sections.append(["", self._anchor, ""])
+            self.sections.append(["", self._anchor, "", ""])
             self._heading = tag
         elif tag == self._heading:  # below the title of a type: the groups that it is in
             self._heading = None
         elif tag in BLOCKS:
             self.handle_data(" ")
+        self._bold = tag in ("b", "strong")
         if attributes.get("id") and not self._silent:
             self._anchor = attributes["id"]
             if self._heading:
@@ -51,10 +53,13 @@ class Sections(html.parser.HTMLParser):
             self._silent.pop()
         elif tag == self._heading:
             self._heading = None
+        self._bold = False
 
     def handle_data(self, data):
         if self.sections and not self._silent:
             self.sections[-1][0 if self._heading else 2] += data
+            if self._bold and not data.endswith((".", ":", "?")):  # not the begin of a paragraph
+                self.sections[-1][3] += data + "; "
 
 
 def words_of(text):
@@ -62,12 +67,13 @@ def words_of(text):
 
 
 def entries_of(name, text):
-    """Returns [rank, title of the page, heading, address, text] for each section of a page."""
+    """Returns [rank, title of the page, heading, address, text, terms] for each section of a page."""
     rank = next(k for k, pattern in enumerate(RANKS) if re.match(pattern, name))
     sections = Sections(text).sections
     title = words_of(sections[0][0]) if sections else ""
-    return [[rank, title, words_of(heading), f"{name}#{anchor}" if k else name, words_of(body)]
-            for k, (heading, anchor, body) in enumerate(sections)]
+    return [[rank, title, words_of(heading), f"{name}#{anchor}" if k else name, words_of(body),
+             words_of(terms) if rank == 0 else ""]
+            for k, (heading, anchor, body, terms) in enumerate(sections)]
 
 
 def main(folder):

@@ -1,22 +1,28 @@
 // The search box of all pages, the index of claims, and folded tables on paper.
 
 // Returns up to 20 sections of the index that contain words of the query, the best first. A word counts
-// more in a heading of the book, and in a name of the API that is the whole query. Then chapters come first,
-// and then sections with more occurrences.
+// more in a heading of the book, where the book defines it, and in a name of the API that is the whole query.
+// Then chapters come first, and then sections with more occurrences. Without a hit, words are cut to stems.
 function search(index, query) {
   const words = query.toLowerCase().match(/[\p{L}\p{N}]+/gu);
   if (!words) return [];
+  const hits = found(index, query, words), stems = words.map(word => word.slice(0, 6));
+  return hits.length || stems.join() === words.join() ? hits : found(index, query, stems);
+}
+
+function found(index, query, words) {
   const begins = words.map(word => new RegExp("(?<![\\p{L}\\p{N}])" + word, "giu"));
   const name = text => text.replace("()", "").trim().toLowerCase();
   const phrase = new RegExp(words.join("[^\\p{L}\\p{N}]+"), "iu");
   const points = (text, one, all) => begins.filter(begin => text.search(begin) >= 0).length * one +
                                      (words.length > 1 && phrase.test(text) ? all : 0);
-  return index.map(([rank, page, heading, address, text]) => {
+  return index.map(([rank, page, heading, address, text, terms]) => {
     const leads = rank < 3 || name(heading) === name(query);
     const at = Math.max(60, text.search(phrase), text.search(begins[0])) - 60;
     return {
       page, heading, address, rank, text: text.substr(at, 160),
-      points: leads ? points(heading, 3, 2) + points(text, 1, 1) : points(heading + " " + text, 1, 1),
+      points: (leads ? points(heading, 3, 2) + points(text, 1, 1) : points(heading + " " + text, 1, 1)) +
+              points(terms, 3, 2),
       occurrences: begins.reduce((sum, begin) => sum + (text.match(begin) || []).length, 0)
     };
   }).filter(hit => hit.points > 0)

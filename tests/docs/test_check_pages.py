@@ -270,9 +270,15 @@ class Search(unittest.TestCase):
                 '<h1><a class="anchor" id="a"></a>\nHead</h1><p>of<a id="b"></a> a</p>'
                 '<h2 class="memtitle"><span class="permalink"><a href="#b">x</a></span>f()</h2>last')
         self.assertEqual(search_index.entries_of("chapter_01.html", page), [
-            [0, "The title", "The title", "chapter_01.html", "a group First, … text."],
-            [0, "The title", "Head", "chapter_01.html#a", "of a"],
-            [0, "The title", "f()", "chapter_01.html#b", "last"]])
+            [0, "The title", "The title", "chapter_01.html", "a group First, … text.", ""],
+            [0, "The title", "Head", "chapter_01.html#a", "of a", ""],
+            [0, "The title", "f()", "chapter_01.html#b", "last", ""]])
+
+    def test_bold_terms_are_defined_where_they_stand(self):
+        page = '<h1 id="a">Head</h1><p><b>Purpose.</b> The <b>node density</b> and <strong>rate</strong>.</p>'
+        self.assertEqual(search_index.entries_of("chapter_01.html", page)[0][-1],
+                         "node density; rate;")
+        self.assertEqual(search_index.entries_of("runs.html", page)[0][-1], "")
 
     def test_chapters_come_before_other_pages(self):
         names = ["chapter_01", "conventions", "exercise_01_1", "study_fmm", "group__fmm"]

@@ -32,22 +32,46 @@ class ThisBuild(unittest.TestCase):
         self.assertEqual(render.render_all(render.pages_of(SITE), CHROMIUM), [])
 
     def test_search_finds_sections(self):
-        wanted = {
+        wanted = {  # query -> the section that is first or second
+            "lubrication": "chapter_00.html#chapter_00_gaps",
             "jump relation": "chapter_02.html#chapter_02_jump",
             "Goursat": "chapter_06.html#chapter_06_goursat",
             "null space": "chapter_04.html",
+            "stresslet": "chapter_07.html#",
+            "Stokes' paradox": "chapter_00.html#chapter_00_paradox",
+            "reversibility": "chapter_00.html#chapter_00_linear",
+            "no-slip": "chapter_00.html#chapter_00_no_slip",
+            "Reynolds number": "chapter_00.html#chapter_00_reynolds",
+            "alias": "chapter_01.html#chapter_01_aliasing",
+            "curvature": "chapter_01.html#chapter_01_curve",
             "fredholm": "chapter_02.html#chapter_02_second_kind",
-            "further reading": "chapter_",
-            "lubrication": "chapter_",
-            "stresslet": "chapter_",
-            "reversib": "chapter_",
+            "completed double layer": "chapter_02.html#chapter_02_completion",
+            "mobility matrix": "chapter_00.html#chapter_00_forces",
+            "resistance": "chapter_00.html#chapter_00_forces",
+            "gauge length": "chapter_02.html#chapter_02_stokeslet",
+            "net flux": "chapter_04.html#chapter_04_flux",
+            "preconditioner": "chapter_05.html#chapter_05_blocks",
+            "Arnoldi": "chapter_05.html#chapter_05_arnoldi",
+            "barycentric": "chapter_06.html#chapter_06_barycentric",
+            "near correction": "chapter_06.html#chapter_06_corrections",
+            "Jeffery": "chapter_00.html#chapter_00_suspensions",
+            "multipole expansion": "chapter_08.html#chapter_08_goursat",
+            "Adams-Bashforth": "chapter_09.html#chapter_09_steps",
+            "space-time interference": "chapter_10.html#chapter_10_gap",
+            "complementarity": "chapter_11.html#chapter_11_problem",
+            "Lemke": "chapter_11.html#chapter_11_lemke_path",
+            "dissipation": "chapter_00.html#chapter_00_energy",
+            "contact forces": "chapter_12.html#chapter_12_contact",
+            "error estimate": "chapter_12.html#chapter_12_system",
+            "automatic nodes": "chapter_12.html#chapter_12_nodes",
+            "ParaView": "runs.html#runs_paraview",
             "stresslet()": "group__double__layer.html#",
             "null_space_velocity": "group__null__space.html#"}
         with browser.Browser(CHROMIUM) as chromium:
             tab = chromium.tab()
             for words, address in wanted.items():
                 found = render.search_results(tab, SITE / "index.html", words)
-                self.assertTrue(any(hit.startswith(address) for hit in found[:3]), (words, found))
+                self.assertTrue(any(hit.startswith(address) for hit in found[:2]), (words, found))
             self.assertEqual(render.search_results(tab, SITE / "index.html", "nosuchword"), [])
 
     def test_search_by_keys(self):
