@@ -1,4 +1,4 @@
-// Check of exercise 13.3: the exact spectrum, quadratures, and solutions that are known beforehand.
+// Check of exercise 13.4: the exact spectrum, quadratures, and solutions that are known beforehand.
 #include "chapters/check.hpp"
 
 #include <numbers>

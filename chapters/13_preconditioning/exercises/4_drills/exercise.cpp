@@ -1,4 +1,4 @@
-// Exercise 13.3: five drills on spectra, pores and clusters.
+// Exercise 13.4: five drills on spectra, pores and clusters.
 #include "chapters/exercise.hpp"
 
 #include <cmath>
