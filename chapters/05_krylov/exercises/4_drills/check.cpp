@@ -1,4 +1,4 @@
-// Check of exercise 05.3: the reader's lines against least squares, GMRES and turned matrices.
+// Check of exercise 05.4: the reader's lines against least squares, GMRES and turned matrices.
 #include "chapters/check.hpp"
 
 #include "krylov/gmres.hpp"

@@ -1,4 +1,4 @@
-// Exercise 05.3: five drills on GMRES and on the blocks of bodies.
+// Exercise 05.4: five drills on GMRES and on the blocks of bodies.
 #include "chapters/exercise.hpp"
 
 #include <cmath>
