@@ -172,11 +172,11 @@ BOOST_AUTO_TEST_CASE(tables_of_cases_have_no_orders) {
   BOOST_TEST(contains(table(Axes::log_log), "<th>order</th>"));
   BOOST_TEST(contains(table(Axes::semi_log), "<th>rate</th>"));
   const std::string of_cases = table(Axes::nominal);
-  BOOST_TEST(contains(of_cases, "<th>error</th>"));
+  BOOST_TEST(contains(of_cases, "<th>value</th>"));
   BOOST_TEST(!contains(of_cases, "<th>order</th>"));
   BOOST_TEST(!contains(of_cases, "<th>rate</th>"));
-  result.experiments[0].experiment.error = "number of iterations";
-  BOOST_TEST(contains(table(Axes::nominal), "<th>value</th>"));
+  result.experiments[0].experiment.error = "relative error";
+  BOOST_TEST(contains(table(Axes::nominal), "<th>error</th>"));
 }
 
 BOOST_AUTO_TEST_CASE(what_only_the_full_size_measures_is_said) {
