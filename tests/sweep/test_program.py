@@ -201,7 +201,7 @@ class Losses(Sweeping):
         _, errors = process.communicate(timeout=20)
         self.assertEqual(process.returncode, 3)
         self.assertIn("stokes: GNU parallel: ended before all tasks had ended", errors)
-        self.assertFalse(self.workers())
+        self.wait_until("the workers' end", lambda: not self.workers(), seconds=10)
 
     def test_a_run_killed_at_its_very_end(self):
         self.sweep("--out", "a")
