@@ -1,7 +1,7 @@
 // The search box of all pages, the index of claims, and folded tables on paper.
 
 // Returns up to 20 sections of the index that contain words of the query, the best first. A word counts
-// more in a heading of the book, where the book defines it, and in a name of the API that is the whole query.
+// more in a heading of the book, where the book defines it, and in a heading that is the whole query.
 // Then chapters come first, and then sections with more occurrences. Without a hit, words are cut to stems.
 function search(index, query) {
   const words = query.toLowerCase().match(/[\p{L}\p{N}]+/gu);
@@ -22,7 +22,7 @@ function found(index, query, words) {
     return {
       page, heading, address, rank, text: text.substr(at, 160),
       points: (leads ? points(heading, 3, 2) + points(text, 1, 1) : points(heading + " " + text, 1, 1)) +
-              points(terms, 3, 2),
+              points(terms, 3, 2) + (heading.trim().toLowerCase() === query.trim().toLowerCase() ? 4 : 0),
       occurrences: begins.reduce((sum, begin) => sum + (text.match(begin) || []).length, 0)
     };
   }).filter(hit => hit.points > 0)
