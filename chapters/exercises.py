@@ -31,7 +31,8 @@ check.cpp     Declares the reader's functions and calls exercise::run() of chapt
               A mistake is named only if a reader's results agree with it at two inputs or more, so
               each check tries several. A task says on which earlier ones it builds.
 
-A chapter's drills, K_drills, are one exercise of five short tasks. Their tests are in the full tier.
+A chapter's drills, K_drills, are one exercise of five short tasks. Their tests are in the full tier,
+as are the proofs of 09.2, 13.2 and 13.3, which solve many systems.
 
 The reader's file, its check and the variants are compiled with the warnings of the project and with
 assertions, the reader's file and the variants also with sanitizers. The test exercise_NN.K proves:
