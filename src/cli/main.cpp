@@ -6,7 +6,6 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 #include <fcntl.h>

@@ -8,7 +8,6 @@
 #include <map>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "lcp/newton.hpp"

@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <vector>
 
 #include "near_singular/near_field.hpp"
 

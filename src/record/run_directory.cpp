@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "record/animation.hpp"
-#include "record/atomic_file.hpp"
 #include "record/csv.hpp"
 #include "record/picture.hpp"
 #include "record/vtk.hpp"

@@ -2,7 +2,6 @@
 // connected contacts (chapter 10).
 #include "stiv/interferences.hpp"
 
-#include <algorithm>
 #include <iterator>
 
 #include "trapezoid/require.hpp"

@@ -2,8 +2,6 @@
 // in an R-tree: the broad phase (section "Results: what it costs" of chapter 10).
 #include "stiv/near_pairs.hpp"
 
-#include <algorithm>
-
 namespace stokesbook {
 
 Rectangle bounding_rectangle(const ContactShape& shape, const Pose& pose) {

@@ -39,20 +39,16 @@ std::string claim_link(const Claim& claim) {
   return "<a href=\"claims.html#claim_" + claim.id + "\">" + claim.id + "</a>";
 }
 
-/// Returns whether a cost is the varied quantity itself.
-bool repeats_x(const CostMeasure& cost, const ExperimentResult& result) {
-  const auto is_x = [&](const Measurement& point) { return point.*cost.value == point.x; };
-  return std::ranges::all_of(result.lines, [&](const LineResult& line) {
-    return std::ranges::all_of(line.measurements, is_x);
-  });
-}
-
 /// Returns the cost that a convergence table shows beside the errors: the counted operations, else
-/// the unknowns, else no value. Work-precision figures show all costs, including seconds.
+/// the unknowns, else no value; no cost that is x. Work-precision figures show all, also seconds.
 std::optional<CostMeasure> shown_cost(const ExperimentResult& result) {
   std::vector<CostMeasure> costs = measured_costs(result);
   std::erase_if(costs, [&](const CostMeasure& cost) {
-    return cost.value == &Measurement::seconds || repeats_x(cost, result);
+    const auto is_x = [&](const Measurement& point) { return point.*cost.value == point.x; };
+    return cost.value == &Measurement::seconds ||
+           std::ranges::all_of(result.lines, [&](const LineResult& line) {
+             return std::ranges::all_of(line.measurements, is_x);
+           });
   });
   if (costs.empty()) return std::nullopt;
   return costs.back();

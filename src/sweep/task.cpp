@@ -3,7 +3,6 @@
 #include "sweep/task.hpp"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "scene/parse.hpp"

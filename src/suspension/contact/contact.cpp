@@ -16,7 +16,6 @@
 
 #include "double_layer/double_layer.hpp"
 #include "suspension/bodies/components.hpp"
-#include "suspension/contact/gap_constraints.hpp"
 #include "text/number_text.hpp"
 #include "text/word_list.hpp"
 

@@ -9,7 +9,6 @@
 
 #include "suspension/bodies/components.hpp"
 #include "suspension/bodies/configuration.hpp"
-#include "suspension/motion/stepping.hpp"
 #include "text/number_text.hpp"
 
 namespace stokesbook {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <string_view>
 
 #include "double_layer/stresslet_sum.hpp"
 #include "fmm/fmm.hpp"

@@ -2,13 +2,11 @@
 #include "suspension/motion/simulation.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "suspension/bodies/configuration.hpp"
 #include "suspension/motion/contact_steps.hpp"
 #include "suspension/motion/free_steps.hpp"
-#include "suspension/motion/stepping.hpp"
 #include "suspension/solver/fields.hpp"
 #include "trapezoid/require.hpp"
 

@@ -12,7 +12,6 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 
 #include "suspension/bodies/components.hpp"
 #include "suspension/bodies/solver_error.hpp"
