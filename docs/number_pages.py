@@ -71,7 +71,7 @@ def unreferred(text):
 def faults(text):
     """Returns what a page lacks: references to its figures and tables, or brevity."""
     found = [f"the text does not refer to {stem}" for stem in unreferred(text)]
-    words, _ = reading_minutes(text)
+    words = words_of_prose(text)
     if words > MOST_WORDS and TITLE.match(text)[2].startswith("chapter_"):
         found.append(f"{words} words of prose; a chapter has at most {MOST_WORDS}")
     return found
@@ -114,11 +114,17 @@ def figure_html(shown, content, title, study):
     return f'<figure class="{kind}" id="{shown.stem}">\n{content}</figure>\n'
 
 
-def reading_minutes(text):
-    """Returns the words of a chapter's prose, in hundreds, and the minutes to read them."""
+def words_of_prose(text):
+    """Counts the words of a chapter, without formulas and code."""
     prose = re.sub(r"[@\\]\w+|\{#\w+\}|<[^>]*>", " ", FORMULA.sub(" ", without_code(text)))
-    words = len(re.findall(r"[^\W\d_][\w'-]*", prose))
-    return round(words, -2), 5 * round(words / WORDS_A_MINUTE / 5)
+    return len(re.findall(r"[^\W\d_][\w'-]*", prose))
+
+
+def reading_time(text):
+    """Returns the line on the time that a chapter takes, at its head."""
+    words = words_of_prose(text)
+    return (f'<p class="reading">Reading time: {5 * round(words / WORDS_A_MINUTE / 5)} minutes '
+            f"({round(words, -2):,} words at {WORDS_A_MINUTE} a minute, formulas included)</p>")
 
 
 def with_section_numbers(text, chapter):
@@ -168,12 +174,11 @@ def numbered_pages(texts, find, sections):
         own = everywhere | {shown.stem: shown for shown in figures[k]}
         in_order = iter(figures[k])
         if k < len(chapters):
-            words, minutes = reading_minutes(text)
+            time = reading_time(text)
             text = with_section_numbers(text, page[-2:])
             title, _, body = text.partition("\n\n")
             text = (f"{title}\n@tableofcontents{{HTML:1}} {pager(chapters, k)} "
-                    f'@htmlonly[block]<p class="reading">Reading time: {minutes} minutes '
-                    f"({words:,} words at {WORDS_A_MINUTE} a minute, formulas included)</p>@endhtmlonly\n"
+                    f"@htmlonly[block]{time}@endhtmlonly\n"
                     f"{body}\n{pager(chapters, k)}\n")
         text = with_sources(text)
         text = INCLUDE.sub(lambda _: f"@htmlinclude[block] {next(in_order).file}", text)
