@@ -2,7 +2,8 @@
 
 make_pages.py ROOT FOLDER STUDY RESULTS
 
-Figures and tables come from the folder STUDY, RESULTS or FOLDER, or from a chapter's folder.
+Figures and tables come from the folder STUDY, RESULTS or FOLDER, from docs/drawings or
+docs/interactive, or from a chapter's folder.
 The table of the README lists the methods and what each adds. The first paragraph of a chapter names
 the chapters that it builds on. An exercise is listed if it has a README.md.
 """
@@ -118,7 +119,8 @@ def exercise_page(chapter, exercise, text):
         parts[k] = re.sub(r"<details><summary>.*?</summary>|</details>",
                           r"\n@htmlonly[block]\n\g<0>\n@endhtmlonly\n", parts[k])
     return (f"{title} {{#exercise_{chapter}_{exercise}}}\n\n"
-            f"This exercise belongs to chapter @ref chapter_{chapter}. `./stokes check {chapter}.{exercise}` checks your answer.\n{''.join(parts)}")
+            f"This exercise belongs to chapter @ref chapter_{chapter}. "
+            f"`./stokes check {chapter}.{exercise}` checks your answer.\n{''.join(parts)}")
 
 
 def chapters_page(methods):
@@ -132,11 +134,28 @@ def chapters_page(methods):
     return "\n".join([*lines, ""])
 
 
+EXERCISES = """# Exercises {#exercises}
+
+`./stokes exercise 03` copies the starters of a chapter into `exercises/` of the working directory.
+`./stokes check 03.2` compiles your file and reports on each task. For the first wrong result it
+prints the arguments, what your function returned, and what was expected. If your results are those
+of a known mistake at two inputs or more, it names the mistake. At one input it calls the mistake
+one way to get this value.
+
+- `--hint` adds a hint for each task that has not passed, and `--explain` adds its formula.
+- `--watch` checks again whenever you save the file.
+- `./stokes check` shows how many exercises of each chapter you have solved or tried.
+
+The times at the heads of the exercises are estimates.
+
+Teachers: `./stokes exercise --student-tree FOLDER` writes a copy of the book without solutions, and
+`./stokes check --dir FOLDER --json FILE` grades the files of a class. `./stokes check --help`
+describes the folder and the result.
+"""
+
+
 def exercises_page(methods, exercises):
-    lines = ["# Exercises {#exercises}", "",
-             "`./stokes exercise 03` copies the starters of a chapter into `exercises/` of the",
-             "working directory; `./stokes check 03.2` compiles your file and says what it got, what",
-             "was expected, the formula and the hint.", ""]
+    lines = [EXERCISES]
     for number, method, _ in methods:
         pages = [f"- @subpage exercise_{number}_{exercise}"
                  for chapter, exercise, _ in exercises if chapter == number]
