@@ -22,17 +22,23 @@ double permitted(const Value& expected, double tolerance) {
   return tolerance * (size > 0.0 ? size : 1.0);
 }
 
+/// Returns the entries that are not as expected: all, if their number is not.
+std::vector<Complex> wrong_entries(const Value& got, const Value& expected, double tolerance) {
+  const ComplexVector &x = got.entries(), &y = expected.entries();
+  const double limit = permitted(expected, tolerance);
+  std::vector<Complex> wrong;
+  // Entry by entry: a maximum may lose a NaN.
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (x.size() != y.size() || !(std::abs(x[i] - y[i]) <= limit)) wrong.push_back(x[i]);
+  }
+  return wrong;
+}
+
 }  // namespace
 
 bool agree(const Value& got, const Value& expected, double tolerance) {
-  const ComplexVector &x = got.entries(), &y = expected.entries();
-  if (x.size() != y.size()) return false;
-  const double limit = permitted(expected, tolerance);
-  // Entry by entry: a maximum may lose a NaN.
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    if (!(std::abs(x[i] - y[i]) <= limit)) return false;
-  }
-  return true;
+  return got.entries().size() == expected.entries().size() &&
+         wrong_entries(got, expected, tolerance).empty();
 }
 
 std::string text(Complex x) {
@@ -100,11 +106,7 @@ void expect(const Comparison& comparison) {
   const auto& [what, got, expected, tolerance, mistakes] = comparison;
   if (agree(got, expected, tolerance)) return;
   const double limit = permitted(expected, tolerance);
-  const ComplexVector &x = got.entries(), &y = expected.entries();
-  std::vector<Complex> wrong;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    if (x.size() != y.size() || !(std::abs(x[i] - y[i]) <= limit)) wrong.push_back(x[i]);
-  }
+  const std::vector<Complex> wrong = wrong_entries(got, expected, tolerance);
   const bool is_first = findings.first_wrong.empty();
   if (is_first) findings.first_wrong = line("for", what) + difference(got, expected);
   for (const Mistake& mistake : mistakes) {
