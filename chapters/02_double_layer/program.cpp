@@ -95,7 +95,6 @@ ComplexVector points_off_body(double distance) {
   return places.x - distance * normals(places);
 }
 
-// [table]
 void print_table() {
   const std::array<double, 4> distances{1.0, 0.3, 0.1, 0.01};
   std::printf("largest error of the velocity, relative to the largest, by distance\n\n   N");
@@ -111,7 +110,6 @@ void print_table() {
     std::printf("\n");
   }
 }
-// [table]
 
 /// @name The picture: squares of a grid about the body, coloured by the error in their middle
 /// @{

@@ -86,7 +86,6 @@ Eigen::VectorXd errors(const Method& method, const ComplexVector& targets) {
   return (method.velocity(targets) - targets.unaryExpr(&exact_velocity)).cwiseAbs() / largest;
 }
 
-// [table]
 /// Points at a distance from the body in spacings of its nodes.
 ComplexVector points_off_body(const Curve& body, double spacings) {
   const Curve places = sample(ellipse, 90, Side::fluid_outside);
@@ -106,7 +105,6 @@ void print_table(const Curve& body, const std::vector<Method>& all) {
   }
   std::printf("\n");
 }
-// [table]
 
 /// @name The picture: squares about the right half of the body, coloured by the error in the middle
 /// @{

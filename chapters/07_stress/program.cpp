@@ -140,7 +140,6 @@ void print_viscosity() {
 }
 // [viscosity]
 
-// [picture]
 // Squares of a grid whose middle lies in the fluid, and the flow's derivatives there.
 struct Field {
   std::vector<Complex> points;
@@ -200,7 +199,6 @@ std::string colour_map(const std::vector<Complex>& points, const std::vector<dou
   }
   return map;
 }
-// [picture]
 
 std::string outlines(const StokesProblem& problem) {
   std::string paths;

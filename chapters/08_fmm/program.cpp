@@ -47,7 +47,6 @@ ComplexVector density_of(Index n) {
   return density;
 }
 
-// [sorted]
 /// Nodes and densities in the order of a tree, in which the nodes of a box follow each other.
 struct SortedNodes : StressletNodes {
   SortedNodes(const std::vector<Curve>& curves, const ComplexVector& density, const Quadtree& tree)
@@ -62,7 +61,6 @@ struct SortedNodes : StressletNodes {
 
   Eigen::VectorXd ex, ey;
 };
-// [sorted]
 
 /// Velocities, and the operations that they took in kernel evaluations: pairs of nodes, and p^2/2
 /// for an expansion converted.
@@ -84,7 +82,6 @@ bool well_separated(const Box& target, const Box& source) {
 }
 // [separated]
 
-// [targets]
 /// Velocities at the nodes of a box: near boxes directly, the others by one local expansion.
 void add_velocities(const Box& box, const Expansion& local, const std::vector<Box>& near,
                     const SortedNodes& nodes, const Quadtree& tree, ComplexVector& velocity) {
@@ -104,9 +101,7 @@ void add_velocities(const Box& box, const Expansion& local, const std::vector<Bo
     }
   }
 }
-// [targets]
 
-// [one_level]
 /// The sum with one level of boxes: the leaves of a tree whose levels it does not use.
 Sum one_level(const std::vector<Curve>& curves, const ComplexVector& density, int order,
               Index leaf_size) {
@@ -146,7 +141,6 @@ Sum one_level(const std::vector<Curve>& curves, const ComplexVector& density, in
   }
   return sum;
 }
-// [one_level]
 
 /// The sum with all levels: the library's.
 Sum all_levels(const std::vector<Curve>& curves, const ComplexVector& density, int order,
@@ -242,7 +236,6 @@ std::vector<Box> leaves_of(const Quadtree& tree) {
   return leaves;
 }
 
-// [lists]
 /// What acts on a leaf: near leaves, and far boxes by the level of the box that they act on, which
 /// is the leaf or contains it.
 struct Seen {
@@ -267,7 +260,6 @@ Seen seen_from(Index leaf, const Quadtree& tree) {
   std::ranges::reverse(seen.far);
   return seen;
 }
-// [lists]
 
 /// The leaf whose centre is nearest to a point.
 Index leaf_at(const Quadtree& tree, Complex z) {

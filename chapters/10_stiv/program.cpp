@@ -182,7 +182,6 @@ std::string picture_of_space_time() {
          "</svg>\n";
 }
 
-// [volume]
 /// Places of the vertices that end too deep, in the frame of the body that they enter: where they
 /// touched first, and where they would end.
 struct Swept {
@@ -205,7 +204,6 @@ Swept swept(const ContactShapes& shapes, const PathPair& paths) {
   }
   return swept;
 }
-// [volume]
 
 std::string picture_of_swept_pair() {
   const auto coarse = [](const Shape& shape) {

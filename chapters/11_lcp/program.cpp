@@ -194,7 +194,6 @@ Complex as_complex(const Vector2d& x) {
   return {x[0], x[1]};
 }
 
-// [cones]
 /// The four cones of M, each spanned by e_i or -M_i for i = 1 and 2.
 std::string cones(const Matrix2d& matrix, Complex origin) {
   const char* colours[] = {"#868e96", "#1c7ed6", "#e8710a", "#2b8a3e"};
@@ -220,7 +219,6 @@ std::string cones(const Matrix2d& matrix, Complex origin) {
   }
   return picture;
 }
-// [cones]
 
 std::string dot(Complex place, const std::string& text) {
   return svg::path(svg::line(place, place), stroke("currentColor", 6.0)) +
