@@ -1,5 +1,6 @@
 """Drives a headless Chromium over pipes, by the DevTools protocol, with Python alone."""
 
+import base64
 import fcntl
 import json
 import os
@@ -117,6 +118,10 @@ class Tab:
             if event["method"] == "Page.loadEventFired" and self.evaluate(LOADED) == url:
                 break
         return errors
+
+    def save_picture(self, path):
+        """Saves what the screen shows as a PNG."""
+        path.write_bytes(base64.b64decode(self.send("Page.captureScreenshot", format="png")["data"]))
 
     def errors(self):
         """Returns further errors since open()."""

@@ -4,7 +4,6 @@ interactive.py                            writes the stills of all figures into 
 interactive.py --screenshots TO [NAME]    saves pictures of the figures: light, dark, phone
 """
 
-import base64
 import json
 import pathlib
 import re
@@ -73,8 +72,7 @@ def main(arguments):
             tab.look(width, 800, dark=dark)
             print(*tab.open(page.as_uri()))
             tab.look(width, tab.evaluate("document.documentElement.scrollHeight"), dark=dark)
-            shot = tab.send("Page.captureScreenshot", format="png")["data"]
-            (to / f"{look}.png").write_bytes(base64.b64decode(shot))
+            tab.save_picture(to / f"{look}.png")
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@ render.py FOLDER [PAGE...]                      checks all or some pages of FOLD
 render.py FOLDER --screenshots TO [PAGE...]     saves pictures of pages: light, dark, phone
 """
 
-import base64
 import concurrent.futures
 import pathlib
 import sys
@@ -126,8 +125,7 @@ def save_screenshots(pages, folder):
                     ...["doc-content", "top"].map(id => document.getElementById(id))
                        .filter(e => e).map(e => e.scrollHeight + e.offsetTop))""")
                 tab.look(size[0], min(height + 200, 12000), dark=dark)
-                shot = tab.send("Page.captureScreenshot", format="png")["data"]
-                (folder / f"{page.stem}_{name}.png").write_bytes(base64.b64decode(shot))
+                tab.save_picture(folder / f"{page.stem}_{name}.png")
 
 
 def main(arguments):
