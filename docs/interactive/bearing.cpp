@@ -1,3 +1,4 @@
+// Chapter 04: the load of a shaft in a bushing whose data leak, by solves with and without N_0.
 #include <cmath>
 #include <complex>
 

@@ -1,3 +1,4 @@
+// Chapter 06: errors of the trapezoid rule, interpolation and the Cauchy scheme near an ellipse.
 #include <cmath>
 #include <complex>
 #include <numbers>

@@ -1,3 +1,4 @@
+// Chapters 09 to 12: the gap of two disks that forces press together, by the library's steppers.
 #include <cmath>
 #include <complex>
 #include <numbers>

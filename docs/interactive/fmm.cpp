@@ -1,3 +1,4 @@
+// Chapter 08: the boxes that act on a leaf of the quadtree, and the operations of the whole sum.
 #include <cmath>
 #include <complex>
 #include <limits>

@@ -1,3 +1,4 @@
+// Chapter 05: the residuals of GMRES, and its polynomial at given eigenvalues.
 #include "krylov/gmres.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+// Chapter 02: errors of four identities of the double layer, with and without a mistake.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +21,9 @@ interactive::Case mistake_case(Mistake mistake, Eigen::Index n) {
   const ComplexVector into_body = normals(sample(Ellipse{2.0, 1.0}, n, Side::fluid_outside));
   const double factor = mistake == half_kernel ? 0.5 : 1.0;
   // The matrix contains the diagonal once.
-  const double wrong_diagonal = mistake == zero_diagonal ? -1.0 : mistake == other_curvature ? -2.0 : 0.0;
+  const double wrong_diagonal = mistake == zero_diagonal     ? -1.0
+                                : mistake == other_curvature ? -2.0
+                                                             : 0.0;
   const auto on_curve = [&](const ComplexVector& density) -> ComplexVector {
     const Eigen::VectorXd velocity = double_layer_matrix(curve) * interleaved(density);
     return factor * (deinterleaved(velocity) + wrong_diagonal * diagonal_velocity(curve, density));
@@ -46,6 +49,10 @@ interactive::Case mistake_case(Mistake mistake, Eigen::Index n) {
 }  // namespace
 
 std::vector<interactive::Case> interactive::mistake() {
-  return {mistake_case(none, 48),          mistake_case(other_normal, 64), mistake_case(half_kernel, 64),
-          mistake_case(zero_diagonal, 96), mistake_case(other_curvature, 32), mistake_case(other_jump, 128)};
+  return {mistake_case(none, 48),
+          mistake_case(other_normal, 64),
+          mistake_case(half_kernel, 64),
+          mistake_case(zero_diagonal, 96),
+          mistake_case(other_curvature, 32),
+          mistake_case(other_jump, 128)};
 }

@@ -1,3 +1,4 @@
+// Chapter 03: the velocity of an ellipse under a weight, for a gauge length.
 #include <cmath>
 #include <numbers>
 

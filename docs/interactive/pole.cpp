@@ -1,3 +1,4 @@
+// Chapter 01: the error of the trapezoid rule for a function with a pole at t = i d.
 #include <cmath>
 #include <numbers>
 
@@ -7,7 +8,8 @@
 std::vector<interactive::Case> interactive::pole() {
   std::vector<Case> cases;
   for (const auto& [d, n] : {std::pair{0.5, 16}, {1.2, 8}, {0.13, 50}}) {
-    const auto circle = stokesbook::sample(stokesbook::Circle{}, n, stokesbook::Side::fluid_outside);
+    const auto circle =
+        stokesbook::sample(stokesbook::Circle{}, n, stokesbook::Side::fluid_outside);
     const Eigen::VectorXd f = (std::cosh(d) - circle.x.real().array()).inverse();
     const double rule = stokesbook::weights(circle).dot(f);
     const double integral = 2 * std::numbers::pi / std::sinh(d);

@@ -1,3 +1,4 @@
+// Chapter 02: the flow of a force, a torque or a stresslet at a point, and its flux.
 #include <array>
 #include <cmath>
 #include <functional>
