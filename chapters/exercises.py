@@ -72,6 +72,8 @@ SECONDS_TO_COMPILE = 300  # of CPU
 CLOCK = 10  # seconds by the clock per second of CPU: a program may wait for ever
 BYTES_WRITTEN = 1 << 30  # by a program, to each file
 BYTES_OF_COMPILER = 4 << 30
+ANSWERS = re.compile(r"@htmlonly\[block\]\n<details><summary>Answers</summary>.*?</details>\n"
+                     r"@endhtmlonly\n", re.DOTALL)  # on the page for teachers
 
 EXERCISE_HELP = """usage: ./stokes exercise [NN[.K]]
        ./stokes exercise --student-tree FOLDER
@@ -80,8 +82,8 @@ Without a number: lists all exercises, and how far you are. With one: copies the
 chapter, or of one exercise, to ./exercises. What is there already is kept.
 
 --student-tree FOLDER    writes a copy of this tree, as far as git tracks it, into a new folder,
-                         without the solutions and the wrong answers of the exercises. ./stokes
-                         exercise and ./stokes check work there."""
+                         without the solutions and the wrong answers of the exercises, and without
+                         the teachers' answers. ./stokes exercise and ./stokes check work there."""
 
 CHECK_HELP = """usage: ./stokes check                        how far you are, in all chapters
        ./stokes check NN[.K] [--hint] [--explain] [--watch]
@@ -286,7 +288,8 @@ def copy(number):
 
 
 def write_student_tree(folder):
-    """Copies what git tracks; of the tagged sources, the starters only."""
+    """Copies what git tracks; of the tagged sources, the starters only, and of the page for teachers
+    all but its folded answers."""
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise Failure(f"{folder} exists already")
     root = CHAPTERS.parent
@@ -299,6 +302,8 @@ def write_student_tree(folder):
         shutil.copy(source, target, follow_symlinks=False)
         if pathlib.PurePath(name).match("chapters/*/exercises/*/exercise.cpp"):
             target.write_text(variants(source).texts["starter"], encoding="utf-8")
+    page = folder / "docs/teaching.md"
+    page.write_text(ANSWERS.sub("This copy has no answers.\n", text_of_file(page)), encoding="utf-8")
 
 
 def without_build_lines(output):

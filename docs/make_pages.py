@@ -148,9 +148,9 @@ one way to get this value.
 
 The times at the heads of the exercises are estimates.
 
-Teachers: `./stokes exercise --student-tree FOLDER` writes a copy of the book without solutions, and
-`./stokes check --dir FOLDER --json FILE` grades the files of a class. `./stokes check --help`
-describes the folder and the result.
+Teachers: `./stokes exercise --student-tree FOLDER` writes a copy of the book without solutions and
+answers, and `./stokes check --dir FOLDER --json FILE` grades the files of a class.
+`./stokes check --help` describes the folder and the result.
 """
 
 

@@ -368,6 +368,19 @@ class StudentTree(Tool):
         self.assertIn("exists already",
                       self.tool("exercise", "--student-tree", self.tree, code=1))
 
+    def test_its_page_for_teachers_has_questions_only(self):
+        page = (self.tree / "docs/teaching.md").read_text()
+        whole = (CHAPTERS.parent / "docs/teaching.md").read_text()
+        answered = ["\\pi/16", "*01.1.*", "A Stokeslet has a force", "*13.3.*"]
+        for answer in answered:
+            self.assertIn(answer, whole)
+            self.assertNotIn(answer, page)
+        self.assertEqual(re.findall("^#.*", page, re.MULTILINE),
+                         re.findall("^#.*", whole, re.MULTILINE))
+        self.assertEqual(page.count("This copy has no answers."), whole.count("<details>") - 1)
+        for kept in ["For which \\f$ N \\f$ is", "Answers to the self-test", "Capture by value"]:
+            self.assertIn(kept, page)
+
     def test_exercises_are_copied_from_it(self):
         self.student("exercise", "01.1")
         [exercise] = exercises.exercises("01.1")
