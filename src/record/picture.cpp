@@ -56,18 +56,7 @@ std::string draw_bar(double drawn_width, const ColourMap& map, const ValueRange&
                      const std::string& label, const std::string& style = {}) {
   constexpr double bar_width = 12.0;
   const double left = margin + drawn_width + 26.0;
-  // All pictures of a page share their names, so each name is that of one colour map.
-  const std::string name = "stokesbook-" + std::string(map.name);
-  std::string text = "<linearGradient id=\"" + name + "\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n";
-  for (std::size_t k = 0; k < map.samples.size(); ++k) {
-    const double fraction = static_cast<double>(k) / static_cast<double>(map.samples.size() - 1);
-    text += "<stop offset=\"" + svg::number(100.0 * fraction) + "%\" stop-color=\"" +
-            colour(map, fraction) + "\"/>\n";
-  }
-  text += "</linearGradient>\n<rect" + svg::attribute("x", left) +
-          svg::attribute("y", header_height) + svg::attribute("width", bar_width) +
-          svg::attribute("height", bar_height) + " rx=\"2\" fill=\"url(#" + name + ")\" " + style +
-          "/>\n";
+  std::string text = svg::colour_bar(map, {left, header_height}, {bar_width, bar_height}, style);
   for (const double fraction : {0.0, 0.5, 1.0}) {
     const Complex place(left + bar_width + 6.0, header_height + (1.0 - fraction) * bar_height);
     text += svg::label(place, short_number(std::lerp(range.low, range.high, fraction)),

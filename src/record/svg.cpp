@@ -18,27 +18,24 @@ std::string pair(Complex point) {
   return number(point.real()) + ' ' + number(point.imag());
 }
 
-/// Escapes text for XML. Control characters become blanks, since XML does not allow them at all.
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else {
-      result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
-  return result;
-}
-
 /// The style sets the colour of a class, so that a page with the picture inline can override it.
 constexpr const char* page_style =
     "<style>.stokesbook-picture{color:#1f2328;font:13px system-ui,sans-serif}"
     "@media(prefers-color-scheme:dark){.stokesbook-picture{color:#d5dbe1}}</style>\n";
 
 }  // namespace
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    result += c == '&'                              ? "&amp;"
+              : c == '<'                            ? "&lt;"
+              : c == '"'                            ? "&quot;"
+              : static_cast<unsigned char>(c) < ' ' ? " "
+                                                    : std::string(1, c);
+  }
+  return result;
+}
 
 std::string number(double x) {
   // The shortest text of a multiple of 0.01 has at most two decimals; + 0 turns -0 into 0.
@@ -78,6 +75,22 @@ std::string open(Complex size, const std::string& title) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"stokesbook-picture\" role=\"img\"" +
          attribute("width", size.real()) + attribute("height", size.imag()) + " viewBox=\"0 0 " +
          pair(size) + "\">\n<title>" + escaped(title) + "</title>\n" + page_style;
+}
+
+std::string colour_bar(const ColourMap& map, Complex corner, Complex size,
+                       const std::string& style) {
+  // All pictures of a page share their names, so each name is that of one colour map.
+  const std::string name = "stokesbook-" + std::string(map.name);
+  std::string text = "<linearGradient id=\"" + name + "\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">\n";
+  for (std::size_t k = 0; k < map.samples.size(); ++k) {
+    const double fraction = static_cast<double>(k) / static_cast<double>(map.samples.size() - 1);
+    text += "<stop offset=\"" + number(100.0 * fraction) + "%\" stop-color=\"" +
+            colour(map, fraction) + "\"/>\n";
+  }
+  return text + "</linearGradient>\n<rect" + attribute("x", corner.real()) +
+         attribute("y", corner.imag()) + attribute("width", size.real()) +
+         attribute("height", size.imag()) + " rx=\"2\" fill=\"url(#" + name + ")\" " + style +
+         "/>\n";
 }
 
 }  // namespace svg

@@ -46,7 +46,8 @@ std::string convergence_figure(const ExperimentResult& result) {
   Plot plot{.title = experiment.title,
             .x_label = experiment.x,
             .y_label = experiment.error,
-            .log_x = experiment.axes == Axes::log_log};
+            .log_x = experiment.axes == Axes::log_log,
+            .cells = experiment.axes == Axes::nominal};
   for (const auto& [line, measurements, verdict, _] : lines) {
     PlotLine& drawn = plot.lines.emplace_back(PlotLine{line.label});
     std::vector<Measurement> used;

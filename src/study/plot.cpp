@@ -1,4 +1,4 @@
-// Draws a plot as SVG: axes with numbers, lines with markers, slope triangles, floors and a legend.
+// Draws a plot as SVG: axes, lines with markers, slope triangles, floors, a legend; or a heat map.
 #include "study/plot.hpp"
 
 #include <algorithm>
@@ -14,14 +14,13 @@ namespace stokesbook::study {
 
 namespace {
 
-/// @name Layout, pixels
-/// @{
+// The layout, in pixels.
 constexpr double width = 520.0;
 constexpr double left = 62.0, right = 504.0, top = 34.0, bottom = 314.0;  ///< edges of the frame
 constexpr double legend_row = 19.0;
 constexpr double marker = 3.6;         ///< half the size of a point
+constexpr double bar = 10.0;           ///< width of a colour bar, left of the frame
 constexpr std::size_t label_row = 60;  ///< letters that fit into one row above the plot
-/// @}
 
 /// Colours of the lines, which colour-blind readers can distinguish (Okabe and Ito 2008, darkened
 /// for the light page). The markers of the lines differ too.
@@ -79,22 +78,16 @@ std::vector<Tick> ticks(const Axis& axis) {
   constexpr double most = 7.0;
   std::vector<Tick> values;
   const double range = axis.high - axis.low;
-  const bool is_short = axis.logarithmic && range < 2.2;
-  if (is_short && axis.low < 0.0) {
-    for (double e = std::floor(axis.low); e <= axis.high; ++e) {
+  if (axis.logarithmic && range < 2.2) {
+    // A short axis shows 1, 2, 5, 10, ...; if it starts above 1, powers of two, like node counts.
+    const bool is_decimal = axis.low < 0.0;
+    const double base = is_decimal ? 10.0 : 2.0, decades = std::log10(base);
+    for (double e = std::floor(axis.low / decades); e <= axis.high / decades + 1e-9; ++e) {
       for (const double leading : {1.0, 2.0, 5.0}) {
-        const double value = leading * std::pow(10.0, e);
-        if (axis.fraction(value) > -1e-9 && axis.fraction(value) < 1.0 + 1e-9) {
-          values.push_back({value, short_number(value)});
-        }
+        const double value = leading * std::pow(base, e), at = axis.fraction(value);
+        const bool is_tick = (is_decimal || leading == 1.0) && at > -1e-9 && at < 1.0 + 1e-9;
+        if (is_tick) values.push_back({value, short_number(value, 7)});
       }
-    }
-    return values;
-  }
-  if (is_short) {  // powers of two, like node counts
-    for (double e = std::ceil(axis.low / std::log10(2.0) - 1e-9);
-         e * std::log10(2.0) <= axis.high + 1e-9; ++e) {
-      values.push_back({std::exp2(e), short_number(std::exp2(e), 7)});
     }
     return values;
   }
@@ -120,10 +113,8 @@ struct Layout {
   Axis x, y;
 
   double across(double px) const { return left + (right - left) * x.fraction(px); }
-  double down(double py) const {
-    const double up = y.shows(py) ? std::clamp(y.fraction(py), 0.0, 1.0) : 0.0;
-    return top + (bottom - top) * (1.0 - up);
-  }
+  double up(double py) const { return y.shows(py) ? std::clamp(y.fraction(py), 0.0, 1.0) : 0.0; }
+  double down(double py) const { return top + (bottom - top) * (1.0 - up(py)); }
   Complex pixel(const PlotPoint& point) const { return {across(point.x), down(point.y)}; }
 };
 
@@ -140,7 +131,8 @@ std::optional<Layout> lay_out(const Plot& plot) {
   if (xs.empty() || ys.empty()) return std::nullopt;
   layout.x.span(xs);
   layout.y.span(ys);
-  const double margin = 0.03 * (layout.x.high - layout.x.low) + (plot.log_x ? 0.02 : 1e-9);
+  const double range = layout.x.high - layout.x.low;
+  const double margin = plot.cells ? 0.5 : 0.03 * range + (plot.log_x ? 0.02 : 1e-9);
   layout.x.low -= margin;
   layout.x.high += margin;
   layout.y.low = std::floor(layout.y.low - 0.2);
@@ -157,9 +149,17 @@ std::string y_label(const std::string& text) {
          svg::label({left, 26.0}, text.substr(space + 1), bold);
 }
 
+/// Lists the whole numbers along the axis of a heat map.
+std::vector<Tick> cases(const Axis& axis) {
+  std::vector<Tick> values;
+  for (double x = std::ceil(axis.low); x < axis.high; ++x) values.push_back({x, short_number(x)});
+  return values;
+}
+
+/// Writes the axes with their numbers and labels, and a grid unless cells would cover it.
 std::string frame(const Plot& plot, const Layout& layout) {
   std::string svg, grid;
-  for (const Tick& tick : ticks(layout.x)) {
+  for (const Tick& tick : plot.cells ? cases(layout.x) : ticks(layout.x)) {
     const double x = layout.across(tick.value);
     grid += svg::line({x, top}, {x, bottom});
     svg += svg::label({x, bottom + 17.0}, tick.text, "text-anchor=\"middle\"");
@@ -167,7 +167,8 @@ std::string frame(const Plot& plot, const Layout& layout) {
   for (const Tick& tick : ticks(layout.y)) {
     const double y = layout.down(tick.value);
     grid += svg::line({left, y}, {right, y});
-    svg += svg::label({left - 6.0, y + 4.0}, tick.text, "text-anchor=\"end\"");
+    svg += svg::label({left - (plot.cells ? bar : 0.0) - 6.0, y + 4.0}, tick.text,
+                      "text-anchor=\"end\"");
   }
   svg += y_label(plot.y_label);
   svg += svg::label({0.5 * (left + right), bottom + 37.0}, plot.x_label,
@@ -175,7 +176,7 @@ std::string frame(const Plot& plot, const Layout& layout) {
   const std::string axes =
       svg::line({left, top}, {left, bottom}) + svg::line({left, bottom}, {right, bottom});
   const std::string thin = "fill=\"none\" stroke=\"currentColor\" ";
-  return svg::path(grid, thin + "stroke-opacity=\"0.13\"") +
+  return svg::path(plot.cells ? "" : grid, thin + "stroke-opacity=\"0.13\"") +
          svg::path(axes, thin + "stroke-opacity=\"0.6\"") + svg;
 }
 
@@ -226,6 +227,25 @@ std::string draw_guide(const Guide& guide, const Layout& layout) {
                     "text-anchor=\"end\"");
 }
 
+/// Draws a colour bar, and each line as a row of cells below its label.
+std::string draw_cells(const Plot& plot, const Layout& layout) {
+  std::string svg = svg::colour_bar(viridis, {left - bar, top}, {bar - 2.0, bottom - top});
+  const double row = (bottom - top) / static_cast<double>(plot.lines.size());
+  for (double y = top; const PlotLine& line : plot.lines) {
+    svg += svg::label({left + 2.0, y + 12.0}, line.label, "font-size=\"12\"");
+    for (const PlotPoint& point : line.points) {
+      if (!std::isfinite(point.y)) continue;
+      const Complex from(layout.across(point.x - 0.46), y + 15.0);
+      const Complex to(layout.across(point.x + 0.46), y + row - 2.0);
+      const ComplexVector corners{{from, {to.real(), from.imag()}, to, {from.real(), to.imag()}}};
+      svg +=
+          svg::path(svg::polygon(corners), "fill=\"" + colour(viridis, layout.up(point.y)) + '"');
+    }
+    y += row;
+  }
+  return svg;
+}
+
 std::string legend(const Plot& plot) {
   std::string svg;
   double y = bottom + 56.0;  // below the label of the x axis
@@ -242,8 +262,10 @@ std::string legend(const Plot& plot) {
 std::string draw_plot(const Plot& plot) {
   const std::optional<Layout> layout = lay_out(plot);
   if (!layout) return "<p>Nothing to plot: all errors are zero.</p>\n";
-  const double height = bottom + 48.0 + legend_row * static_cast<double>(plot.lines.size());
+  const double rows = plot.cells ? 0.0 : static_cast<double>(plot.lines.size());
+  const double height = bottom + 48.0 + legend_row * rows;
   std::string svg = svg::open({width, height}, plot.title) + style_element() + frame(plot, *layout);
+  if (plot.cells) return svg + draw_cells(plot, *layout) + "</svg>\n";
   std::string floors;
   for (const double level : plot.floors) {
     const double y = layout->down(level);

@@ -32,6 +32,7 @@ struct Plot {
   std::string x_label;               ///< below the axis
   std::string y_label;               ///< above the axis
   bool log_x = true;                 ///< false: the x axis is linear
+  bool cells = false;                ///< true: a heat map over whole numbers x, a row for each line
   std::vector<PlotLine> lines = {};  ///< methods, in the order of the legend
   std::vector<Guide> guides = {};    ///< laws to compare with
   std::vector<double> floors = {};   ///< levels of rounding, dotted
@@ -42,7 +43,7 @@ struct Plot {
 /// The function does not use gnuplot or Matplotlib, because the colours in their SVG cannot follow
 /// the page, and because they have no slope triangles; the rest of a plot is a scale and some
 /// paths. Points that a logarithmic axis cannot show are left out; zeros of y lie on the lower
-/// edge. A plot without any point that can be shown becomes a sentence.
+/// edge. A heat map has neither guides nor floors. A plot without any point that can be shown becomes a sentence.
 std::string draw_plot(const Plot& plot);
 
 }  // namespace stokesbook::study

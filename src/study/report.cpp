@@ -89,16 +89,12 @@ std::string claim_entry(const StudyResult& result, const Experiment& experiment,
   const Claim& claim = *found.line.claim;
   std::string about;
   for (const std::string& name : claim.api) about += ", @ref " + name;
-  const std::string measured = found.verdict ? escaped(found.verdict->explanation) + ": " +
-                                                   verdict_html(found) +
-                                                   "\n- Planted error: " + control_html(found)
-                                             : full_size_measures;
   return "@htmlonly[block]<div class=\"claim\">@endhtmlonly\n@anchor claim_" + claim.id + '\n' +
          escaped(claim.statement) + " \\badge_" + claim.id +
          "\n@htmlonly[block]<details><summary>" + escaped(law_text(claim.law, experiment.x)) +
          "; " + escaped(found.line.label) +
-         "</summary>@endhtmlonly\n\n- Reason: " + escaped(claim.reason) +
-         "\n- Measured: " + measured + "\n- See @ref " + anchor(result, experiment) + about +
+         "</summary>@endhtmlonly\n\n- Reason: " + escaped(claim.reason) + "\n- " +
+         evidence_html(found, "\n- ") + "\n- See @ref " + anchor(result, experiment) + about +
          "\n\n@htmlonly[block]</details></div>@endhtmlonly\n\n";
 }
 
@@ -204,7 +200,7 @@ void write_index(const std::vector<StudyResult>& results, const std::string& ori
       std::string(index_style) + "</head><body>\n<h1>Studies</h1>\n<p>" + escaped(origin) +
       "</p>\n";
   for (const StudyResult& result : results) {
-    html += "<h2>" + result.number + ' ' + escaped(result.title) + "</h2>\n" + claims_table(result);
+    html += "<h2>" + result.number + ' ' + escaped(result.title) + "</h2>\n" + claims_list(result);
     for (const ExperimentResult& found : result.experiments) {
       html += "<h3>" + escaped(found.experiment.title) + "</h3>\n";
       for (const Part& part : parts_of(found)) html += part.html;

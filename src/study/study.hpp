@@ -39,7 +39,8 @@ struct Line {
 enum class Axes {
   log_log,   ///< algebraic laws
   semi_log,  ///< geometric laws
-  nominal,   ///< errors without a law, as of numbered cases: no orders, no rates
+  no_law,    ///< other errors over a linear x: no orders, no rates
+  nominal,   ///< errors of cases with whole numbers x: no joined points, but cells of a heat map
 };
 
 /// An experiment: several lines over the same varied quantity.

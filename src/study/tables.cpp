@@ -25,20 +25,6 @@ std::string row(const std::string& cells) {
   return "<tr>" + cells + "</tr>\n";
 }
 
-std::string span(std::size_t columns) {
-  return " colspan=\"" + std::to_string(columns) + '"';
-}
-
-/// Returns a table in a frame, in which wide tables can be scrolled on narrow screens.
-std::string table(const std::string& caption, const std::string& body) {
-  return "<div class=\"study-table\"><table>\n<caption>" + caption + "</caption>\n" + body +
-         "</table></div>\n";
-}
-
-std::string claim_link(const Claim& claim) {
-  return "<a href=\"claims.html#claim_" + claim.id + "\">" + claim.id + "</a>";
-}
-
 /// Returns the cost that a convergence table shows beside the errors: the counted operations, else
 /// the unknowns, else no value; no cost that is x. Work-precision figures show all, also seconds.
 std::optional<CostMeasure> shown_cost(const ExperimentResult& result) {
@@ -66,7 +52,7 @@ std::map<double, std::string> cells_of(const LineResult& line, Axes axes,
     const bool used = !line.verdict || line.verdict->used[i];
     const std::string grey = used ? "" : " class=\"left-out\"";
     std::string text = cell(html_number(point.error), grey);
-    if (axes != Axes::nominal) text += cell(html_number(slopes[i]), grey);
+    if (axes == Axes::log_log || axes == Axes::semi_log) text += cell(html_number(slopes[i]), grey);
     if (cost) text += cell(html_number(point.*cost->value), grey);
     cells.emplace(point.x, text);
   }
@@ -74,18 +60,6 @@ std::map<double, std::string> cells_of(const LineResult& line, Axes axes,
 }
 
 }  // namespace
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    result += c == '&'   ? "&amp;"
-              : c == '<' ? "&lt;"
-              : c == '>' ? "&gt;"
-              : c == '"' ? "&quot;"
-                         : std::string(1, c);
-  }
-  return result;
-}
 
 std::string html_number(double x) {
   if (std::isnan(x)) return "&ndash;";
@@ -105,7 +79,7 @@ std::string convergence_table(const ExperimentResult& result) {
   if (experiment.axes == Axes::log_log) heads.push_back(head("order"));
   if (experiment.axes == Axes::semi_log) heads.push_back(head("rate"));
   if (cost) heads.push_back(head("cost"));
-  const std::string spanned = span(heads.size());
+  const std::string spanned = " colspan=\"" + std::to_string(heads.size()) + '"';
   std::string names = head(escaped(experiment.x), " rowspan=\"2\""), columns;
   std::string claimed = head("claimed"), measured = head("measured"), verdict = head("verdict");
   std::map<double, std::string> rows;
@@ -118,39 +92,37 @@ std::string convergence_table(const ExperimentResult& result) {
     const auto cells = cells_of(found, experiment.axes, cost);
     for (auto& [x, text] : rows) text += cells.contains(x) ? cells.at(x) : cell("", spanned);
     const std::optional<Claim>& claim = found.line.claim;
-    claimed +=
-        cell(claim ? claim_link(*claim) + ": " + escaped(law_text(claim->law, experiment.x)) : "",
-             spanned);
+    claimed += cell(claim ? "<a href=\"claims.html#claim_" + claim->id + "\">" + claim->id +
+                                "</a>: " + escaped(law_text(claim->law, experiment.x))
+                          : "",
+                    spanned);
     measured += cell(found.verdict ? html_number(found.verdict->measured) : "", spanned);
     verdict += cell(verdict_html(found), spanned);
   }
-  std::string body = "<thead>" + row(names) + row(columns) + "</thead>\n<tbody>\n";
-  for (const auto& [x, text] : rows) body += row(text);
-  body += "</tbody>\n<tfoot>" + row(claimed) + row(measured) + row(verdict) + "</tfoot>";
-  const std::string caption =
-      escaped(experiment.title) + ". Shown: " + escaped(experiment.error) + '.';
-  return table(caption + (cost ? " Cost: " + escaped(cost->name) + '.' : ""), body);
+  // In its frame, a wide table can be scrolled on a narrow screen.
+  std::string html = "<div class=\"study-table\"><table>\n<caption>" + escaped(experiment.title) +
+                     ". Shown: " + escaped(experiment.error) + '.' +
+                     (cost ? " Cost: " + escaped(cost->name) + '.' : "") + "</caption>\n<thead>" +
+                     row(names) + row(columns) + "</thead>\n<tbody>\n";
+  for (const auto& [x, text] : rows) html += row(text);
+  return html + "</tbody>\n<tfoot>" + row(claimed) + row(measured) + row(verdict) +
+         "</tfoot></table></div>\n";
 }
 
-std::string claims_table(const StudyResult& result) {
-  std::string body;
+std::string claims_list(const StudyResult& result) {
+  std::string list;
   for (const auto& [experiment, lines] : result.experiments) {
     for (const LineResult& found : lines) {
       if (!found.line.claim) continue;
       const Claim& claim = *found.line.claim;
-      body +=
-          row(head("<a id=\"claim_" + claim.id + "\"></a>" + claim.id) +
-              cell(escaped(claim.statement) + "<br><small>" + escaped(claim.reason) + "</small>") +
-              cell(escaped(law_text(claim.law, experiment.x))) +
-              (found.verdict ? cell(escaped(found.verdict->explanation)) +
-                                   cell(control_html(found)) + cell(verdict_html(found))
-                             : cell(full_size_measures, span(3))));
+      list += "<p id=\"claim_" + claim.id + "\"><b>" + claim.id + "</b> " +
+              escaped(claim.statement) +
+              "<br>\n<small>Claimed: " + escaped(law_text(claim.law, experiment.x)) +
+              "<br>\nReason: " + escaped(claim.reason) + "<br>\n" + evidence_html(found, "<br>\n") +
+              "</small></p>\n";
     }
   }
-  return table(escaped(result.title),
-               "<thead><tr><th>claim</th><th>statement, reason</th><th>law</th><th>measured</th>"
-               "<th>planted error</th><th>verdict</th></tr>\n</thead>\n<tbody>\n" +
-                   body + "</tbody>");
+  return list;
 }
 
 std::string verdict_html(const LineResult& result) {
@@ -161,8 +133,10 @@ std::string verdict_html(const LineResult& result) {
   return "<b>" + text + (only_control ? ", but its planted error is not detected" : "") + "</b>";
 }
 
-std::string control_html(const LineResult& result) {
-  return escaped(result.line.control->defect) +
+std::string evidence_html(const LineResult& result, const std::string& separator) {
+  if (!result.verdict) return full_size_measures;
+  return "Measured: " + escaped(result.verdict->explanation) + ": " + verdict_html(result) +
+         separator + "Planted error: " + escaped(result.line.control->defect) +
          (result.control->is_rejected() ? ": detected" : ": <b>not detected</b>");
 }
 

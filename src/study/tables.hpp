@@ -2,12 +2,12 @@
 
 #include <string>
 
+#include "record/svg.hpp"
 #include "study/study.hpp"
 
 namespace stokesbook::study {
 
-/// Replaces the characters that HTML reserves.
-std::string escaped(const std::string& text);
+using svg::escaped;
 
 /// Writes a number as HTML with three digits, with powers of ten as in 1.3·10⁻¹². Whole numbers
 /// below a million keep all their digits; NaN becomes a dash.
@@ -20,16 +20,16 @@ std::string html_number(double x);
 /// line. Numbers that a check left out are grey.
 std::string convergence_table(const ExperimentResult& result);
 
-/// Writes the claims of a study as an HTML table: statement, reason and law, the measurement, the
-/// control with its defect, and the verdict.
-std::string claims_table(const StudyResult& result);
+/// Lists the claims of a study as HTML: statement, law and reason, and the evidence.
+std::string claims_list(const StudyResult& result);
 
 /// Returns the outcome of a line's claim as HTML, bold unless the claim holds, or a sentence if the
 /// line has no claim.
 std::string verdict_html(const LineResult& result);
 
-/// Returns the defect of a line's control as HTML, and whether the check has rejected it.
-std::string control_html(const LineResult& result);
+/// Returns the evidence for a line's claim as HTML: the measurement with its verdict, and the defect
+/// of the control with its own. The separator stands between the two.
+std::string evidence_html(const LineResult& result, const std::string& separator);
 
 /// The sentence that pages show in place of numbers that the size of a study leaves out.
 inline constexpr const char* full_size_measures = "The full size of the study measures this.";

@@ -10,10 +10,12 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "record/svg.hpp"
 #include "study/figures.hpp"
 #include "study/plot.hpp"
 #include "synthetic.hpp"
 
+using namespace stokesbook;
 using namespace stokesbook::study;
 using namespace stokesbook::test;
 
@@ -159,6 +161,51 @@ BOOST_AUTO_TEST_CASE(zeros_lie_on_the_lower_edge_and_nothing_is_not_drawn) {
   BOOST_TEST(count(draw_plot(decay({{8, 1e-1}, {16, 0.0}, {32, 1e-3}})), "nan") == 0);
   BOOST_TEST(draw_plot(decay({{8, 0.0}})).find("Nothing to plot") != std::string::npos);
   BOOST_TEST(draw_plot(decay({})).find("Nothing to plot") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_heat_map_has_a_cell_for_each_number) {
+  Plot plot = decay({{1, 1e-4}, {2, 1e-2}, {3, 1.0}});
+  plot.log_x = false;
+  plot.cells = true;
+  plot.lines.push_back({"b", {{1, 0.0}, {3, NAN}}});
+  const std::string svg = draw_plot(plot);
+  // The colours extend over the decades from 1e-5 to 10, of which 1e-2 is the middle.
+  const std::regex path("<path fill=\"(#[0-9a-f]+)\" d=\"M([-0-9.]+) ([-0-9.]+) ([-0-9.]+) ");
+  std::vector<std::string> colours;
+  std::vector<double> lefts, rights, tops;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), path), end; at != end; ++at) {
+    colours.push_back((*at)[1]);
+    lefts.push_back(std::stod((*at)[2]));
+    tops.push_back(std::stod((*at)[3]));
+    rights.push_back(std::stod((*at)[4]));
+  }
+  BOOST_REQUIRE_EQUAL(colours.size(), 4u);
+  BOOST_TEST(colours[0] == colour(viridis, 1.0 / 6.0));
+  BOOST_TEST(colours[1] == colour(viridis, 0.5));
+  BOOST_TEST(colours[2] == colour(viridis, 5.0 / 6.0));
+  BOOST_TEST(colours[3] == colour(viridis, 0.0));
+  const std::vector<double> places = places_of_ticks(svg, "middle");
+  BOOST_REQUIRE_EQUAL(places.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k) {
+    BOOST_TEST(std::abs(0.5 * (lefts[k] + rights[k]) - places[k]) < 0.03);
+    BOOST_TEST(tops[k] == tops[0]);
+    if (k > 0) BOOST_TEST(lefts[k] > rights[k - 1]);
+  }
+  BOOST_TEST(tops[3] > tops[0] + 100.0);
+  for (const char* label : {">a<", ">b<", "<linearGradient"}) BOOST_TEST(count(svg, label) == 1);
+  BOOST_TEST(count(svg, "class=\"line-") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(only_cases_are_drawn_as_cells) {
+  Study study = sample_study();
+  const auto joined_lines = [&](Axes axes) {
+    study.experiments[0].axes = axes;
+    std::ostringstream progress;
+    const std::string svg = convergence_figure(run(study, Size::quick, progress).experiments[0]);
+    return count(svg, "stroke-opacity=\"0.55\"");
+  };
+  BOOST_TEST(joined_lines(Axes::no_law) == 2);
+  BOOST_TEST(joined_lines(Axes::nominal) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {

@@ -397,7 +397,7 @@ Experiment turns() {
   constexpr int never = 100;
   return {.key = "turns",
           .title = "A rod on a floor, whose ends are the deeper one in turn",
-          .x = "rotation of the free motion r",
+          .x = "rotation of the free motion ω*",
           .error = "largest velocity left",
           .lines =
               {{.key = "kept",
@@ -417,9 +417,9 @@ Experiment turns() {
 Experiment clips() {
   return {.key = "clips",
           .title = "Gaps whose linearisations contradict each other",
-          .x = "free velocity u",
+          .x = "free velocity U*",
           .error = "error of the velocity",
-          .axes = Axes::nominal,
+          .axes = Axes::no_law,
           .lines = {
               {.key = "clipped",
                .label = "clipped after a ray",

@@ -148,7 +148,7 @@ Experiment work(const std::string& key, const std::string& title,
 Experiment suite_residuals() {
   Experiment experiment{.key = "suite",
                         .title = "Twenty problems: residuals",
-                        .x = "problem p",
+                        .x = "number of the problem",
                         .error = "residual, at least 1e-17",
                         .axes = Axes::nominal,
                         .lines = {},

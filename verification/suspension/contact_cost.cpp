@@ -153,7 +153,7 @@ Experiment cost_of_contact() {
       .title = "A step of a hexagon of disks in shear, with and without contact",
       .x = "pairs in contact, p",
       .error = "number",
-      .axes = Axes::nominal,
+      .axes = Axes::no_law,
       .lines = {
           {.key = "solves",
            .label = "solves for contact, for each pair in contact",

@@ -107,9 +107,9 @@ Experiment reversal_table() {
   Experiment experiment{
       .key = "reversal",
       .title = "Two disks of radius 1/2 in shear that reverses: how far they end from their start",
-      .x = "separation, in pi/32, d",
+      .x = "separation, in π/32, δ",
       .error = "distance of both centres from their start, over that of the start from the origin",
-      .axes = Axes::nominal,
+      .axes = Axes::no_law,
       .lines = {
           {.key = "difference",
            .label = "largest difference from the published table, relative",
@@ -125,7 +125,7 @@ Experiment reversal_table() {
            .control = Control{"separations wider by pi/128", differences_from_table(0.25)}}}};
   for (std::size_t k = 0; k < published_steps.size(); ++k) {
     experiment.lines.push_back({.key = "column_" + std::to_string(k),
-                                .label = "rate x dt = " + short_number(published_steps[k]),
+                                .label = "rate × Δt = " + short_number(published_steps[k]),
                                 .measure = changes(k),
                                 .least = k < columns(Size::quick) ? Size::quick : Size::full});
   }

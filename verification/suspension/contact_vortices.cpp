@@ -163,7 +163,7 @@ Experiment taylor_green_in_contact() {
               "steps of 0.025 unless said, in the quick size ten times as long",
           .x = "time t",
           .error = "part of the separation, or number",
-          .axes = Axes::nominal,
+          .axes = Axes::no_law,
           .lines = {
               {.key = "lost",
                .label = "shortfall of the narrowest gap, relative to the separation",

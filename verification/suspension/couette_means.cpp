@@ -110,7 +110,7 @@ Experiment couette_turns() {
           .title = "Published Couette cells over two revolutions, from their published starts",
           .x = "revolutions r",
           .error = "mean over the eighth of a revolution before, in thousandths",
-          .axes = Axes::nominal,
+          .axes = Axes::no_law,
           .lines = {{.key = "dilute_viscosity",
                      .label = "80 ellipses 3:1, added viscosity",
                      .measure = over_eighths(dilute, viscosity)},
@@ -139,7 +139,7 @@ Experiment couette_second_turn() {
           .title = "Means over the second revolution of published Couette cells",
           .x = "revolutions r, the last of the mean",
           .error = "mean since the first revolution, in thousandths",
-          .axes = Axes::nominal,
+          .axes = Axes::no_law,
           .lines = {
               {.key = "dilute_viscosity",
                .label = "80 ellipses 3:1: added viscosity, printed 100",

@@ -238,7 +238,7 @@ Experiment couette_interval() {
        .title = "A small Couette cell, 13 ellipses 2:1 at 5 %: means over the second revolution",
        .x = "random starts n",
        .error = "in thousandths, or as labelled",
-       .axes = Axes::nominal,
+       .axes = Axes::no_law,
        .lines = {
            {.key = "viscosity", .label = "added viscosity", .measure = small_means(viscosity)},
            {.key = "viscosity_interval",

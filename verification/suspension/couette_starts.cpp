@@ -149,7 +149,7 @@ Measure when_moved(Scene (*nodes)(Scene), std::optional<double> expected,
 Experiment couette_starts() {
   return {.key = "couette_starts",
           .title = "The published Couette cells at their first instant",
-          .x = "tolerance e",
+          .x = "tolerance ε",
           .error = "what bodies add to the torque of the inner wall, in thousandths",
           .lines = {{.key = "dilute",
                      .label = "80 ellipses 3:1, 5 %",

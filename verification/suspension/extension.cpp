@@ -131,9 +131,9 @@ Measure differences_from_alone(double least_spread, double rate) {
 Experiment extension_order() {
   return {.key = "extension_order",
           .title = "How a crowd of ellipses lines up in extension",
-          .x = "strain e t",
-          .error = "mean of cos 2 theta",
-          .axes = Axes::nominal,
+          .x = "strain ė t",
+          .error = "mean of cos 2θ",
+          .axes = Axes::no_law,
           .lines = {{.key = "crowd",
                      .label = "the crowd",
                      .measure = over_time(true, order_parameter, aligned_from)},
@@ -149,9 +149,9 @@ Experiment extension_gaps() {
   return {
       .key = "extension_gaps",
       .title = "The least gap of a crowd in extension",
-      .x = "strain e t",
+      .x = "strain ė t",
       .error = "in separations",
-      .axes = Axes::nominal,
+      .axes = Axes::no_law,
       .lines = {
           {.key = "contact", .label = "with contact", .measure = over_time(true, least_gap)},
           {.key = "lost",

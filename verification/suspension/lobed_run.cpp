@@ -91,7 +91,7 @@ Experiment lobed_run() {
           "iterations to 1e-6 in all, without guesses",
       .x = "nodes a body N",
       .error = "iterations, or their relative difference",
-      .axes = Axes::nominal,
+      .axes = Axes::no_law,
       .lines = {
           {.key = "none",
            .label = "without preconditioner",

@@ -195,7 +195,7 @@ Experiment contact_response() {
               "two circles pulled apart",
           .x = "gap in spacings of 32 nodes g",
           .error = "speed of opening over the exact speed, or as labelled",
-          .axes = Axes::nominal,
+          .axes = Axes::no_law,
           .lines = {{.key = "plain",
                      .label = "32 nodes, plain rule",
                      .measure = responses(published, NearSingular::off)},
