@@ -174,7 +174,8 @@ Complex pixel(Complex z) {
 }
 
 // Squares of one colour and one row are one rectangle, rectangles of one colour are one path.
-std::string colour_map(const std::vector<Complex>& points, const std::vector<double>& fractions) {
+std::string squares(const std::vector<Complex>& points, const std::vector<double>& fractions,
+                    const ColourMap& colours) {
   constexpr int shades = 40;
   std::map<int, std::string> paths;
   const auto shade = [&](std::size_t i) {
@@ -194,7 +195,7 @@ std::string colour_map(const std::vector<Complex>& points, const std::vector<dou
   }
   std::string map;
   for (const auto& [level, data] : paths) {
-    const std::string fill = colour(viridis, static_cast<double>(level) / shades);
+    const std::string fill = colour(colours, static_cast<double>(level) / shades);
     map += svg::path(data, "fill=\"" + fill + "\" stroke=\"" + fill + "\" stroke-width=\"0.5\"");
   }
   return map;
@@ -223,9 +224,22 @@ std::string arrows(const StokesProblem& problem, const ComplexVector& traction) 
   return svg::path(lines, "fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.2\"");
 }
 
-// A field in colours, with what is drawn above it.
-std::string picture(const std::string& title, const std::string& map, const std::string& above) {
-  return svg::open({460.0, 460.0}, title) + map + above + "</svg>\n";
+// A bar of the colours, with the quantity, its unit, and the numbers from bottom to top.
+std::string bar(const ColourMap& colours, const std::string& quantity, const std::string& unit,
+                const std::vector<std::string>& numbers) {
+  constexpr double x = 480.0, top = 60.0, height = 340.0;
+  std::string text = svg::colour_bar(colours, {x, top}, {14.0, height}) +
+                     svg::label({x, top - 34.0}, quantity, "font-weight=\"600\"") +
+                     svg::label({x, top - 16.0}, unit);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const double fraction = static_cast<double>(k) / static_cast<double>(numbers.size() - 1);
+    text += svg::label({x + 20.0, top + (1.0 - fraction) * height}, numbers[k], "dy=\"0.35em\"");
+  }
+  return text;
+}
+
+std::string picture(const std::string& title, const std::string& content) {
+  return svg::open({600.0, 460.0}, title) + content + "</svg>\n";
 }
 
 }  // namespace
@@ -253,14 +267,17 @@ int main(int argc, char** argv) {
   for (FlowDerivatives& at : at_nodes) at.pressure -= mean;
   const std::filesystem::path directory = argv[1];
   const std::string above = outlines(flow.problem());
-  write_atomically(
-      directory / "chapter_07_pressure.svg",
-      picture("Pressure around a sinking disk, and the forces on the bodies",
-              colour_map(field.points, pressures),
-              above + arrows(flow.problem(), boundary_traction(flow.problem(), at_nodes))),
-      SafeFrom::kill);
+  write_atomically(directory / "chapter_07_pressure.svg",
+                   picture("Pressure around a sinking disk, and the forces on the bodies",
+                           squares(field.points, pressures, cool_to_warm) + above +
+                               arrows(flow.problem(), boundary_traction(flow.problem(), at_nodes)) +
+                               bar(cool_to_warm, "pressure - mean", "force / length",
+                                   {"-0.6", "-0.3", "0", "0.3", "0.6"})),
+                   SafeFrom::kill);
   write_atomically(directory / "chapter_07_dissipation.svg",
                    picture("Dissipation around a sinking disk, over four decades",
-                           colour_map(field.points, dissipations), above),
+                           squares(field.points, dissipations, viridis) + above +
+                               bar(viridis, "dissipation", "power / area",
+                                   {"10⁻⁴", "10⁻³", "10⁻²", "10⁻¹", "1"})),
                    SafeFrom::kill);
 }
