@@ -101,7 +101,7 @@ Experiment closure_values() {
   return {
       .key = "values",
       .title = "Results do not depend on the values of the closure",
-      .x = "size of the change beta",
+      .x = "factor β",
       .error = "largest change of U, omega, F, L",
       .lines = {
           values_line("power", "03_8", "values in Power's border", ClosureForm::power_bordered),

@@ -233,7 +233,7 @@ Experiment condition_and_viscosity() {
   return {
       .key = "viscosities",
       .title = "Conditioning and the viscosity, held body",
-      .x = "viscosity mu",
+      .x = "viscosity μ",
       .error = "condition number between mean-square norms",
       .lines = {{.key = "power_thin",
                  .label = "Power's border, thin fluid",

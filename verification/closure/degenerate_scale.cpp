@@ -45,7 +45,7 @@ Experiment degenerate_scale() {
   const std::vector<double> radii = log_points(0.25, 10.0, 61);
   return {.key = "degenerate",
           .title = "A held ellipse in unbounded fluid",
-          .x = "mean radius over gauge length R",
+          .x = "mean radius over gauge length (a+b)/2ℓ",
           .error = "condition number between mean-square norms",
           .lines = {{.key = "gauge",
                      .label = "Stokeslets of a fixed gauge length",

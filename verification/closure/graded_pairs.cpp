@@ -274,7 +274,7 @@ Experiment lubrication() {
   return {.key = "lubrication",
           .title = "Two circles pulled apart, over six decades of their gap",
           .x = "gap over radius g",
-          .error = "speed over force / (4 pi mu)",
+          .error = "speed over force / (4πμ)",
           .lines = {
               {.key = "speed",
                .label = "96 crowding nodes",

@@ -196,7 +196,7 @@ Experiment streams() {
       .axes = Axes::semi_log,
       .lines = {
           {.key = "without_rigid_part",
-           .label = "D (I - P) eta",
+           .label = "D (I - P) η",
            .measure = at(
                nodes, [](double n) { return drift(n, assemble_reduced); }, 4.0),
            .claim =
@@ -207,7 +207,7 @@ Experiment streams() {
                      .reason = "the stream is in P eta, to which the double layer is not applied",
                      .api = {"stokesbook::Closure"}},
            .control = Control{"D of the rigid part too", with_rigid_part}},
-          {.key = "with_rigid_part", .label = "D eta, by quadrature", .measure = with_rigid_part}}};
+          {.key = "with_rigid_part", .label = "Dη, by quadrature", .measure = with_rigid_part}}};
 }
 
 Experiment pair_units() {

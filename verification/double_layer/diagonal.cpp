@@ -70,10 +70,10 @@ Experiment diagonal() {
       .key = "diagonal",
       .title = "The diagonal of the kernel, ellipse 2:1",
       .x = "nodes N",
-      .error = "error of D eta, relative to its largest value",
+      .error = "error of Dη, relative to its largest value",
       .lines = {
           {.key = "limit",
-           .label = "the limit, -s kappa t t^T / 2 pi",
+           .label = "the limit, -s κ τ τᵀ / 2π",
            .measure = errors_with(1.0),
            .claim =
                Claim{.id = "02_15",

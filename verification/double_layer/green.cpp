@@ -58,7 +58,7 @@ Experiment green() {
   return {.key = "green",
           .title = "Green's representation",
           .x = "nodes N",
-          .error = "error of S[sigma n] - D[u], relative to the largest u",
+          .error = "error of S[σn] - D[u], relative to the largest u",
           .axes = Axes::semi_log,
           .lines = {{.key = "fluid",
                      .label = "u in the fluid",

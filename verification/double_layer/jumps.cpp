@@ -106,7 +106,7 @@ Experiment jumps() {
   using enum Approach;
   return {.key = "jumps",
           .title = "The jump of the double layer",
-          .x = "inverse distance M",
+          .x = "inverse distance (1/δ)",
           .error = "error of the limit, relative to its largest value",
           .lines = {{.key = "plain",
                      .label = "star from the fluid, without extrapolation",

@@ -148,7 +148,7 @@ Experiment rates_near_the_curve() {
 Experiment spacings() {
   return {.key = "spacings",
           .title = "Error over the distance in spacings",
-          .x = "distance in local spacings x",
+          .x = "distance in local spacings δ/h",
           .error = "error of the velocity, relative to the largest",
           .axes = Axes::semi_log,
           .lines = {spacing_line("wall", "02_6", "inside an ellipse 2:1, N = 3200", two_to_one,

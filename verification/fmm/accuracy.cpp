@@ -122,7 +122,7 @@ Experiment tolerances() {
   const ErrorBelowTolerance law{1.0, 0.01};
   return {.key = "tolerances",
           .title = "Velocities for a tolerance",
-          .x = "tolerance e",
+          .x = "tolerance ε",
           .error = "error of the velocity in the 2-norm, relative",
           .lines = {
               tolerance_line("square", "08_14", "at nodes uniform in a square", summed_square,
@@ -139,7 +139,7 @@ Experiment derivative_tolerances() {
   const ErrorBelowTolerance law{1.0, 1e-4};
   return {.key = "derivative_tolerances",
           .title = "Pressure, vorticity and strain for a tolerance",
-          .x = "tolerance e",
+          .x = "tolerance ε",
           .error = "error of the three beside the nodes in the 2-norm, relative",
           .lines = {tolerance_line("square", "08_17", "beside nodes uniform in a square",
                                    summed_square, derivative_sum, law),

@@ -101,7 +101,7 @@ Line linear_line(const std::string& key, const std::string& id, const std::strin
                                       label + ".",
                          .law = Cost{1.025, 0.075},
                          .reason = "lists have a bounded length, and so have leaves; leaves fill "
-                                   "up and are divided each time that n grows by four, which "
+                                   "up and are divided each time that N grows by four, which "
                                    "makes waves",
                          .api = {"stokesbook::Fmm", "stokesbook::find_interactions",
                                  "stokesbook::Quadtree"}},
@@ -190,7 +190,7 @@ Measure timed(Seconds seconds) {
 Experiment cost() {
   return {.key = "cost",
           .title = "Operations of an application, for six digits",
-          .x = "nodes n",
+          .x = "nodes N",
           .error = "operations in kernel evaluations",
           .lines = {linear_line("square", "08_27", "nodes uniform in a square", square),
                     linear_line("ellipses", "08_28", "nodes on ellipses", ellipses),
@@ -202,13 +202,13 @@ Experiment cost() {
                      .measure = over_nodes(best_level),
                      .claim = Claim{.id = "08_29",
                                     .statement = "With one level of boxes, as many as are best, "
-                                                 "it takes a multiple of n^{4/3} operations.",
+                                                 "it takes a multiple of N^{4/3} operations.",
                                     .law = Cost{4.0 / 3.0, 0.06},
-                                    .reason = "the least of 13 n^2/b + b^2 p^2/2 over the number "
+                                    .reason = "the least of 13 N^2/b + b^2 p^2/2 over the number "
                                               "b of boxes; boxes at the edge have fewer "
                                               "neighbours",
                                     .api = {"stokesbook::find_interactions"}},
-                     .control = Control{"one number of boxes for all n", over_nodes(fixed_level)}},
+                     .control = Control{"one number of boxes for all N", over_nodes(fixed_level)}},
                     {.key = "direct", .label = "direct sum", .measure = over_nodes(all_pairs)}},
           .operation = "operations in kernel evaluations"};
 }
@@ -216,8 +216,8 @@ Experiment cost() {
 Experiment break_even() {
   return {.key = "break_even",
           .title = "Operations of an application, over those of the direct sum",
-          .x = "nodes n",
-          .error = "operations over n^2",
+          .x = "nodes N",
+          .error = "operations over N²",
           .lines = {{.key = "three", .label = "three digits", .measure = shares(1e-3)},
                     {.key = "six", .label = "six digits", .measure = shares(1e-6)},
                     {.key = "twelve", .label = "twelve digits", .measure = shares(1e-12)},
@@ -238,7 +238,7 @@ Experiment break_even() {
 Experiment seconds() {
   return {.key = "seconds",
           .title = "Seconds an application on this machine, one thread",
-          .x = "nodes n",
+          .x = "nodes N",
           .error = "seconds",
           .lines = {{.key = "direct", .label = "direct sum", .measure = timed(seconds_of_sum)},
                     {.key = "three",

@@ -88,7 +88,7 @@ Experiment ill_cases() {
   return {
       .key = "ill",
       .title = "What a tree may find hard",
-      .x = "tolerance e",
+      .x = "tolerance ε",
       .error = "error of the velocity in the 2-norm, relative",
       .lines = {
           line<FmmSettings::for_tolerance>("line", "08_21", "all nodes on a line", line_of_points),

@@ -148,7 +148,7 @@ Measure over_orders(double rho, const TranslationMethod& method) {
 Line order_line(const std::string& key, const std::string& id, const std::string& label,
                 double rho) {
   return {.key = key,
-          .label = "rho = " + label,
+          .label = "ρ = " + label,
           .measure = over_orders(rho, converted),
           .claim = Claim{.id = id,
                          .statement = "A translation at the ratio rho = " + label +
@@ -246,7 +246,7 @@ Experiment translation() {
 Experiment separation() {
   return {.key = "separation",
           .title = "One translation, by the distance of the boxes",
-          .x = "distance |D| - R in radii d",
+          .x = "inverse ratio of radius and distance (1/ρ)",
           .error = "largest error of the velocity, relative to the largest",
           .lines = {ratio_line("four", "08_4", 4), ratio_line("eight", "08_5", 8),
                     ratio_line("twelve", "08_6", 12)}};
@@ -255,7 +255,7 @@ Experiment separation() {
 Experiment centres() {
   return {.key = "centres",
           .title = "A pair of boxes, moved away from the origin",
-          .x = "distance from the origin in radii d",
+          .x = "distance from the origin, in radii, |c|/R",
           .error = "largest error of the velocity, relative to the largest",
           .lines = {
               {.key = "recentred",

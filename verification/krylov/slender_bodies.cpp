@@ -103,7 +103,7 @@ Experiment one_body() {
   };
   return {.key = "alone",
           .title = "One turned ellipse",
-          .x = "aspect ratio c",
+          .x = "aspect ratio R",
           .error = "iterations beyond the first",
           .lines = {{.key = "turned",
                      .label = "block of the reference, turned",
@@ -144,7 +144,7 @@ Experiment aspect_ratios() {
   };
   return {.key = "aspect",
           .title = "Iterations and aspect ratio",
-          .x = "aspect ratio c",
+          .x = "aspect ratio R",
           .error = "iterations to a residual of 1e-10",
           .lines = {{.key = "alone",
                      .label = "one ellipse, no preconditioner",

@@ -97,12 +97,12 @@ Experiment sweeps() {
       .error = "factor of the error by a sweep, distance from its formula",
       .lines = {
           {.key = "in_turn",
-           .label = "projected Gauss-Seidel, cos^2(pi/(m + 1))",
+           .label = "projected Gauss-Seidel, cos²(π/(m + 1))",
            .measure = factors(true),
            .claim =
                Claim{.id = "11_4",
                      .statement = "On a chain a sweep multiplies the error by "
-                                  "cos^2(pi/(m + 1)).",
+                                  "cos²(π/(m + 1)).",
                      .law = Identity{1e-7},
                      .reason = "Jacobi's factor cos(pi/(m + 1)), squared; after 3 (m + 1)^2/4 "
                                "sweeps the next part of the error is exp(-9 pi^2/4) of the slowest",
@@ -124,7 +124,7 @@ Experiment chains() {
                           .statement = "Sweeps for a given accuracy grow with the square of the "
                                        "length of the chain.",
                           .law = Algebraic{-2.0, 0.15},
-                          .reason = "log cos^2(pi/(m + 1)) is about -pi^2/(m + 1)^2: the effect of "
+                          .reason = "log cos²(π/(m + 1)) is about -pi^2/(m + 1)^2: the effect of "
                                     "a push diffuses",
                           .api = {"stokesbook::projected_gauss_seidel"}},
            .control = Control{"every row tied to a wall by 3 on the diagonal",

@@ -79,7 +79,7 @@ Line line(const std::string& key, const std::string& id, const std::string& labe
 Experiment derivatives() {
   return {.key = "derivatives",
           .title = "Pressure, vorticity and strain by the Cauchy scheme",
-          .x = "distance in local spacings d",
+          .x = "distance in local spacings δ/h",
           .error = "largest error of the three, relative to the largest strain",
           .lines = {line("ellipse", "06_8", "an ellipse 2:1, 128 nodes", ellipse,
                          "the second derivative left out", no_second_derivative),

@@ -177,7 +177,7 @@ Experiment distances() {
   return {
       .key = "distance",
       .title = "Outside an ellipse 2:1, 128 nodes",
-      .x = "distance in local spacings d",
+      .x = "distance in local spacings δ/h",
       .error = "error of the velocity, relative to the largest on the curve",
       .lines = {{.key = "plain",
                  .label = "trapezoid rule",
@@ -225,7 +225,7 @@ Experiment false_successes() {
   return {
       .key = "silent",
       .title = "Adaptive quadrature that reports success and is wrong",
-      .x = "distance in local spacings d",
+      .x = "distance in local spacings δ/h",
       .error = "share of targets: success reported, error above a per cent",
       .lines = {
           {.key = "six",
@@ -249,7 +249,7 @@ Experiment shapes() {
   return {
       .key = "shapes",
       .title = "The Cauchy scheme at other curves",
-      .x = "distance in local spacings d",
+      .x = "distance in local spacings δ/h",
       .error = "error of the velocity, relative to the largest on the curve",
       .lines = {shape_line("star", "06_5", "a star of five arms, 400 nodes", star,
                            "weights that are not divided by their sum", uncompensated),

@@ -86,7 +86,7 @@ Measure over_gaps(Gap measured) {
 Experiment preimage_order() {
   return {.key = "preimage",
           .title = "The preimage by a quadratic equation",
-          .x = "distance of the target d",
+          .x = "distance of the target δ",
           .error = "distance of its image from the target, over |x'|",
           .lines = {{.key = "quadratic",
                      .label = "second order",

@@ -223,7 +223,7 @@ Line sweep_line(const std::string& key, const std::string& id, const std::string
 Experiment upsampling() {
   return {.key = "upsampling",
           .title = "The fine rule of the interpolation scheme",
-          .x = "fine nodes a node sigma",
+          .x = "fine nodes a node σ",
           .error = "largest error of the velocity closer than a step, relative",
           .axes = Axes::semi_log,
           .lines = {upsampling_line("one", "06_13", 1.0, "a spacing"),
@@ -243,7 +243,7 @@ Experiment tolerances() {
   return {
       .key = "tolerances",
       .title = "Interpolation for a tolerance, 256 nodes",
-      .x = "tolerance e",
+      .x = "tolerance ε",
       .error = "largest error at any distance, relative to the density",
       .lines = {tolerance_line("outside", "06_18", "outside an ellipse 2:1", ellipse),
                 tolerance_line("inside", "06_19", "inside an ellipse 2:1", elliptic_container)}};

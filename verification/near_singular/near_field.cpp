@@ -107,7 +107,7 @@ Line line(const std::string& key, const std::string& id, const std::string& labe
 Experiment preimages() {
   return {.key = "preimages",
           .title = "The near test: worst of 5000 random targets",
-          .x = "exponential of -N |Im s|, b",
+          .x = "size of exp(iNτ) at the preimage τ, |q|",
           .error = "error of the trapezoid rule, relative to the density",
           .lines = {line("slender", "06_23", "an ellipse 5:1, 200 nodes", slender),
                     line("star", "06_24", "a star of five arms, 256 nodes", coarse_star),

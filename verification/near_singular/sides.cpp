@@ -137,7 +137,7 @@ Experiment sides() {
   return {
       .key = "sides",
       .title = "The side test at random points of both sides",
-      .x = "distance in local spacings d",
+      .x = "distance in local spacings δ/h",
       .error = "wrong answers of 400",
       .lines = {resolved_line("ellipse", "06_25", "an ellipse 2:1, 128 nodes", ellipse,
                               {"a body's sum without its 1", counts_of(ellipse, without_one)}),

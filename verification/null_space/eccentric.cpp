@@ -211,7 +211,7 @@ Experiment density() {
 Experiment closing_gap() {
   return {.key = "gap",
           .title = "Fixed numbers of nodes and a closing gap",
-          .x = "relative gap g",
+          .x = "relative gap δ/(R₂-R₁)",
           .error = "relative error of the inner circle's load",
           .axes = Axes::log_log,
           .lines = {
@@ -238,7 +238,7 @@ Experiment balance() {
   return {
       .key = "balance",
       .title = "Torque on the outer circle when the inner one turns",
-      .x = "relative gap g",
+      .x = "relative gap δ/(R₂-R₁)",
       .error = "relative difference from the closed form",
       .axes = Axes::log_log,
       .lines = {{.key = "torque",

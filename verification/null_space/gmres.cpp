@@ -114,7 +114,7 @@ Experiment iterations() {
   return {
       .key = "iterations",
       .title = "Iterations of GMRES in any unit of length",
-      .x = "inner radius R",
+      .x = "inner radius R₁",
       .error = "iterations to a residual of 1e-10, at most 100",
       .axes = Axes::log_log,
       .lines = {

@@ -115,7 +115,7 @@ Experiment balance() {
   return {
       .key = "balance",
       .title = "Newton's third law for every vertex of an impact",
-      .x = "length of the step s",
+      .x = "length of the step Δt",
       .error = "largest sum of forces or torques",
       .lines = {{.key = "start",
                  .label = "arms at the start of the step",

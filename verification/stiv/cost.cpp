@@ -175,7 +175,7 @@ Experiment queries() {
 Experiment pairs() {
   return {.key = "pairs",
           .title = "A lattice of circles",
-          .x = "bodies n",
+          .x = "circles K",
           .error = "pairs of the broad phase; queries",
           .lines = {line("pairs", "Pairs", &SearchCost::pairs, "10_16"),
                     line("queries", "Queries", &SearchCost::queries, "10_17"),

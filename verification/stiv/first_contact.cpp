@@ -231,7 +231,7 @@ Experiment advancement() {
   return {
       .key = "advancement",
       .title = "Accuracy with which contact is found, and its cost",
-      .x = "tolerance t, or part of the step",
+      .x = "part of the step, or tolerance T",
       .error = "distance from the separation where contact is found",
       .lines = {{.key = "conservative",
                  .label = "conservative advancement",
@@ -255,7 +255,7 @@ Experiment vertices_for_a_separation() {
   return {
       .key = "vertices",
       .title = "Vertices for a separation: a star with five arms",
-      .x = "separation d",
+      .x = "separation δ",
       .error = "vertices",
       .lines = {{.key = "by_sag",
                  .label = "sag of a twentieth of the separation",

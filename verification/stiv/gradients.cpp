@@ -81,7 +81,7 @@ Measure differences(PairWrench ContactRow::*form) {
 Experiment gradients() {
   return {.key = "gradients",
           .title = "Derivatives of the gap against central differences",
-          .x = "difference h",
+          .x = "change ε",
           .error = "largest difference of a derivative, over all vertices",
           .lines = {{.key = "end",
                      .label = "arms at the end of the step",

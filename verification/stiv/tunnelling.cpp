@@ -63,7 +63,7 @@ Experiment tunnelling() {
   return {
       .key = "tunnelling",
       .title = "Two unit circles that come together, from a gap of 2",
-      .x = "relative travel s",
+      .x = "travel |Δc|",
       .error = "error of the gap at the end of the step, over the travel",
       .lines = {
           {.key = "end", .label = "overlap at the end", .measure = errors(at_end)},

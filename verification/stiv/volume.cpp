@@ -116,24 +116,24 @@ Measure over_vertices(double (*reference)(const Impact& impact), Index m_of_othe
 }  // namespace
 
 Experiment volume_of_depth() {
-  return {.key = "depth",
-          .title = "The volume of two circles of radius 1/2",
-          .x = "depth p",
-          .error = "|V|",
-          .lines = {{.key = "volume",
-                     .label = "volume",
-                     .measure = over_depths(measured),
-                     .claim = Claim{.id = "10_6",
-                                    .statement = "The volume grows as the power 3/2 of the depth.",
-                                    .law = Algebraic{-1.5, 0.01},
-                                    .reason = "the gap is a parabola of height p, over a length "
-                                              "in proportion to the root of p",
-                                    .api = {"stokesbook::Contact"}},
-                     .control = Control{"64 vertices a circle, with edges as long as the contact",
-                                        over_depths(with_long_edges)}},
-                    {.key = "published",
-                     .label = "(8/3) a^(1/2) p^(3/2)",
-                     .measure = over_depths(published)}}};
+  return {
+      .key = "depth",
+      .title = "The volume of two circles of radius 1/2",
+      .x = "depth p",
+      .error = "|V|",
+      .lines = {
+          {.key = "volume",
+           .label = "volume",
+           .measure = over_depths(measured),
+           .claim = Claim{.id = "10_6",
+                          .statement = "The volume grows as the power 3/2 of the depth.",
+                          .law = Algebraic{-1.5, 0.01},
+                          .reason = "the gap is a parabola of height p, over a length "
+                                    "in proportion to the root of p",
+                          .api = {"stokesbook::Contact"}},
+           .control = Control{"64 vertices a circle, with edges as long as the contact",
+                              over_depths(with_long_edges)}},
+          {.key = "published", .label = "(8/3) √a p^(3/2)", .measure = over_depths(published)}}};
 }
 
 Experiment volume_of_vertices() {
@@ -154,7 +154,7 @@ Experiment volume_of_vertices() {
                  .control = Control{"128 vertices on the other circle, always",
                                     over_vertices(exact_volume, 128)}},
                 {.key = "published",
-                 .label = "against (8/3) a^(1/2) p^(3/2)",
+                 .label = "against (8/3) √a p^(3/2)",
                  .measure = over_vertices(published)}}};
 }
 

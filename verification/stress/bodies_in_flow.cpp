@@ -216,7 +216,7 @@ Experiment aspect_ratios() {
   return {
       .key = "aspect",
       .title = "Intrinsic viscosity of ellipses: instants, and the mean over an orbit",
-      .x = "aspect ratio r",
+      .x = "aspect ratio λ",
       .error = "relative error",
       .axes = Axes::log_log,
       .lines = {

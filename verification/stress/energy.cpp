@@ -283,7 +283,7 @@ Experiment loads_of_tractions() {
   };
   return {.key = "loads",
           .title = "Forces and torques from tractions",
-          .x = "gap g",
+          .x = "gap ε",
           .error = "largest difference, relative to the largest load",
           .axes = Axes::log_log,
           .lines = {line("unbounded", "07_14", "two bodies, unbounded", loaded_pair,
@@ -350,7 +350,7 @@ Experiment dissipation_of_gaps() {
   return {
       .key = "dissipation",
       .title = "The dissipation between eccentric cylinders, three ways and in closed form",
-      .x = "relative gap g",
+      .x = "relative gap ε",
       .error = "difference from motions times loads, relative",
       .axes = Axes::log_log,
       .lines = {
@@ -366,7 +366,7 @@ Experiment dissipation_of_gaps() {
            .control = Control{"the pseudo-traction -p n + mu du/dn",
                               power_differences(by_boundary(pseudo_traction))}},
           {.key = "volume",
-           .label = "2 mu e:e over the fluid",
+           .label = "2μ e:e over the fluid",
            .measure = power_differences(by_volume),
            .claim =
                Claim{.id = "07_20",
@@ -393,7 +393,7 @@ Experiment quadrature() {
   return {
       .key = "quadrature",
       .title = "The dissipation of a Couette cell by quadrature over the fluid",
-      .x = "squared grid points a strip's width Q",
+      .x = "squared grid points across a strip P²",
       .error = "relative error, root mean square over five places of the cell",
       .axes = Axes::semi_log,
       .lines = {{.key = "blended",

@@ -209,7 +209,7 @@ Experiment distances() {
 Experiment spacings() {
   return {.key = "spacings",
           .title = "Strain by the trapezoid rule over the distance in spacings",
-          .x = "distance in local spacings x",
+          .x = "distance in local spacings d/h",
           .error = "error of the strain, relative to the largest",
           .axes = Axes::semi_log,
           .lines = {
@@ -222,7 +222,7 @@ Experiment spacings() {
                               .law = Geometric{2.0 * pi, 0.03, 1.0},
                               .window = {.from = 0.7, .floor = 1e-11},
                               .reason = "the kernel's pole in t is of third order, N^2 d e^{-d N}, "
-                                        "and d N = 2 pi x",
+                                        "and d N = 2 pi d/h",
                               .api = {"stokesbook::StressletSum::derivatives"}},
                .control = Control{
                    "all nodes of the same weight",

@@ -121,7 +121,7 @@ Experiment container() {
   return {
       .key = "container",
       .title = "Effective viscosity of a disk in a container that is strained",
-      .x = "area fraction p",
+      .x = "area fraction φ",
       .error = "relative error",
       .axes = Axes::log_log,
       .lines = {
@@ -157,7 +157,7 @@ Experiment excess() {
   return {
       .key = "excess",
       .title = "Excess dissipation of two bodies in a strained container, and their stresslets",
-      .x = "size r",
+      .x = "size of the bodies a",
       .error = "relative difference of excess and S:E",
       .axes = Axes::log_log,
       .lines = {
@@ -182,8 +182,8 @@ Experiment dilute() {
   return {
       .key = "dilute",
       .title = "The second coefficient of the effective viscosity",
-      .x = "area fraction p",
-      .error = "(viscosity - 1 - 2 p) / p^2, and its difference from 8",
+      .x = "area fraction φ",
+      .error = "(viscosity - 1 - 2φ) / φ², and its difference from 8",
       .axes = Axes::log_log,
       .lines = {
           {.key = "coefficient",

@@ -93,7 +93,7 @@ Measure worst_errors(const Choice& choice) {
 Experiment errors_on_automatic_nodes() {
   return {.key = "automatic",
           .title = "Automatic nodes: the error achieved",
-          .x = "tolerance e",
+          .x = "tolerance ε",
           .error = "largest error of motions and loads, relative to the largest",
           .lines = {{.key = "chosen",
                      .label = "nodes chosen by the solver",

@@ -136,7 +136,7 @@ double free_drift(double dt) {
 Experiment holding_force() {
   return {.key = "holding_force",
           .title = "The force that holds two disks of radius 1/2 apart in extension",
-          .x = "gap, in pi/32, g",
+          .x = "gap, in π/32, g",
           .error = "relative difference of the force",
           .lines = {{.key = "known",
                      .label = "from the force of a prototype",
@@ -154,10 +154,10 @@ Experiment holding_force_limit() {
   return {.key = "holding_force_limit",
           .title = "Its limit as the gap closes",
           .x = "gap g",
-          .error = "relative difference of the force from 3 pi",
+          .error = "relative difference of the force from 3π",
           .lines = {
               {.key = "limit",
-               .label = "from 3 pi",
+               .label = "from 3π",
                .measure = beyond_limit({}),
                .claim = Claim{.id = "12_11",
                               .statement = "As the gap closes the force tends to 6 pi mu e a = "
@@ -174,11 +174,11 @@ Experiment holding_force_limit() {
 Experiment holding_steps() {
   return {
       .key = "holding_steps",
-      .title = "The same force by the time step, at a separation of pi/16",
-      .x = "step dt",
+      .title = "The same force by the time step, at a separation of π/16",
+      .x = "step Δt",
       .error = "relative difference",
       .lines = {{.key = "force",
-                 .label = "of the force from that of dt = 0.1",
+                 .label = "of the force from that of Δt = 0.1",
                  .measure = over_steps(force_spread),
                  .claim = Claim{.id = "12_12",
                                 .statement = "The force that holds two disks apart does not "

@@ -51,7 +51,7 @@ Measure errors(SteppingMethod method, double kept_by_reference) {
 Experiment contact_orders() {
   return {.key = "contact_orders",
           .title = "Order in time with contact: two disks that meet in shear, turn and separate",
-          .x = "steps a unit of time, 1/dt",
+          .x = "steps a unit of time, (1/Δt)",
           .error = "error of where one ends as seen from the other, radius 1/2",
           .lines = {
               {.key = "euler",

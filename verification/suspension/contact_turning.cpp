@@ -74,7 +74,7 @@ std::vector<Measurement> by_euler(Size size) {
 Experiment contact_turning() {
   return {.key = "contact_turning",
           .title = "A container that turns with its suspension: steps that meet no contact",
-          .x = "tolerance of Heun's steps, or length dt of Euler's, h",
+          .x = "tolerance of Heun's steps, or length of Euler's, Δt",
           .error = "largest distance from the rigid rotation, in half lengths of a body",
           .lines = {{.key = "heun",
                      .label = "Heun, adapted steps",

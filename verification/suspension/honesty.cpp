@@ -196,7 +196,7 @@ Measure errors_of_hard_scenes(bool estimated) {
 Experiment hard_shapes() {
   return {.key = "hard_shapes",
           .title = "Slender, lobed and angular bodies: errors of accepted solutions",
-          .x = "tolerance e",
+          .x = "tolerance ε",
           .error = "error of motions and loads, relative to the largest",
           .lines = {{.key = "accepted",
                      .label = "accepted by the solver",

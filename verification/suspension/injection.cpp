@@ -59,7 +59,7 @@ Experiment injection() {
   return {
       .key = "injection",
       .title = "Injection through a ring of held disks, reversed",
-      .x = "steps a unit of time, 1/dt",
+      .x = "steps a unit of time, (1/Δt)",
       .error = "largest distance of a body",
       .lines = {
           {.key = "heun",

@@ -171,7 +171,7 @@ const Trial vortices_trial =
 const Trial crowd_trial{
     .key = "crowd",
     .title = "36 ellipses in extension, kept 0.05 apart, at t = 1/2",
-    .error = "error of the mean of cos 2 theta",
+    .error = "error of the mean of cos 2θ",
     .scene = crowd,
     .adapted = SteppingMethod::heun,
     .steps = {0.05, 0.025, 0.0125},

@@ -174,7 +174,7 @@ Experiment lagged() {
   return {
       .key = "lagged",
       .title = "The lagged coupling by the time step, two circles that turn about each other",
-      .x = "steps a unit of time, 1/h",
+      .x = "steps a unit of time, (1/h)",
       .error = "error of the velocity, relative",
       .lines = {
           {.key = "gap_02",

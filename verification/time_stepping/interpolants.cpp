@@ -54,7 +54,7 @@ Experiment interpolants() {
   return {
       .key = "interpolants",
       .title = "Interpolation within one step, an ellipse 3:1 in shear",
-      .x = "steps a unit of time, 1/h",
+      .x = "steps a unit of time, (1/h)",
       .error = "largest error of the angle within the step",
       .lines = {
           {.key = "bogacki_shampine32",

@@ -54,7 +54,7 @@ Experiment step_errors() {
   const Motion motion = known_at_its_end(jeffery_in_shear(8.0));
   return {.key = "step_errors",
           .title = "Error by the estimated error, fixed steps: an ellipse 3:1 in shear",
-          .x = "sum of the estimates of all steps e",
+          .x = "sum of the estimates of all steps Σδ",
           .error = "error of the angle at the end",
           .lines = {estimate_line(motion, SteppingMethod::euler, "euler", "Euler", 200, "09_36"),
                     estimate_line(motion, SteppingMethod::adams_bashforth2, "adams_bashforth2",

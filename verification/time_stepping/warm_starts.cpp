@@ -110,7 +110,7 @@ Line residual_line(std::size_t kept, const std::string& id) {
 Experiment guesses() {
   return {.key = "guesses",
           .title = "Guesses from earlier densities, three bodies in motion",
-          .x = "steps a unit of time, 1/h",
+          .x = "steps a unit of time, (1/h)",
           .error = "residual where GMRES begins, relative",
           .lines = {residual_line(1, "09_32"),
                     residual_line(2, "09_33"),
@@ -123,7 +123,7 @@ Experiment saved_iterations() {
   return {
       .key = "saved",
       .title = "Iterations with guesses over those without, three bodies in motion",
-      .x = "steps a unit of time, 1/h",
+      .x = "steps a unit of time, (1/h)",
       .error = "iterations over those without a guess",
       .lines = {{.key = "kept_1", .label = "1 earlier density", .measure = shares(1)},
                 {.key = "kept_2", .label = "2 earlier densities", .measure = shares(2)},

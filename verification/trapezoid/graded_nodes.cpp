@@ -115,7 +115,7 @@ Experiment graded_counts() {
   };
   return {.key = "graded_counts",
           .title = "Nodes for a relative error of 1e-10",
-          .x = "inverse distance of the poles 1/d",
+          .x = "inverse distance of the poles (1/d)",
           .error = "number of nodes",
           .lines = {{.key = "equidistant",
                      .label = "equidistant",

@@ -79,7 +79,7 @@ Experiment published_table() {
           .x = "nodes N",
           .error = "difference from the printed error, units of its third digit",
           .lines = {{.key = "jump",
-                     .label = "e^t on [0, 2 pi]",
+                     .label = "e^t on [0, 2π]",
                      .measure = against(printed_for_jump, mean_of_sides),
                      .claim = Claim{.id = "01_1",
                                     .statement = "The published errors for a function with a jump "
@@ -115,7 +115,7 @@ Experiment smoothness() {
                    "the first node counted twice",
                    doubling(2, 32, [](Eigen::Index n) { return periodic_error(n, both_ends); })}},
           {.key = "jump",
-           .label = "e^t, which jumps at 2 pi",
+           .label = "e^t, which jumps at 2π",
            .measure = doubling(4, 512, mean_of_sides),
            .claim = Claim{.id = "01_3",
                           .statement = "A function that jumps where the period closes is "
