@@ -40,6 +40,10 @@ void add_scene_options(CLI::App& command, RunOptions& options) {
       ->allow_extra_args(false);
   command.add_option("--threads", options.threads, "number of threads [all processors]")
       ->check(number_of_threads);
+  CLI::Option* const from = command.add_option("--from", options.from,
+                                               "begin at the last state of the run in this folder");
+  command.add_option("--time", options.from_time, "begin at this written time of that run")
+      ->needs(from);
   command.add_flag("--overwrite", options.overwrite, "replace the run in the directory");
   command.add_flag("--dry-run", options.dry_run, "check the scene, print the plan, write nothing");
   command.add_flag("--quiet", options.quiet, "print errors only");
@@ -84,7 +88,8 @@ int run_program(int argc, char** argv) {
   RunOptions options;
   CLI::App& run = *app.add_subcommand("run", "simulate a scene from t = 0 to its end");
   add_scene_options(run, options);
-  run.add_flag("--resume", options.resume, "continue from the last checkpoint")
+  run.add_flag("--resume", options.resume,
+               "continue from the last checkpoint, also with a later end or other settings")
       ->excludes("--overwrite");
   CLI::App& solve = *app.add_subcommand("solve", "solve a scene once, at t = 0");
   add_scene_options(solve, options);

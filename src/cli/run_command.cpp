@@ -9,11 +9,13 @@
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <omp.h>
 #include <sys/resource.h>
 
 #include "cli/build_info.hpp"
+#include "cli/continuation.hpp"
 #include "cli/run_report.hpp"
 #include "record/atomic_file.hpp"
 #include "record/run_directory.hpp"
@@ -21,10 +23,12 @@
 #include "scene/write.hpp"
 #include "suspension/contact/contact.hpp"
 #include "suspension/motion/describe.hpp"
+#include "suspension/motion/output_schedule.hpp"
 #include "suspension/motion/simulation.hpp"
 #include "suspension/motion/statistics.hpp"
 #include "suspension/nodes/random_fill.hpp"
 #include "text/fingerprint.hpp"
+#include "text/number_text.hpp"
 #include "text/word_list.hpp"
 #include "trapezoid/fourier.hpp"
 
@@ -42,7 +46,8 @@ Scene load_scene(const RunOptions& options) {
         ": stokes run requires [time] with t_final; use stokes solve for a scene without [time]");
   }
   try {
-    return place_fills(file);
+    const Scene scene = place_fills(file);
+    return options.from.empty() ? scene : start_from(scene, options.from, options.from_time);
   } catch (const std::invalid_argument& error) {
     throw SceneError(options.scene.string() + ": " + error.what());
   }
@@ -109,14 +114,18 @@ RunInfo info_of(const Scene& scene, const std::vector<std::string>& plan) {
 struct OpenedRun {
   RunDirectory directory;
   std::optional<Checkpoint> checkpoint;  // state from which a resumed run continues
+  Continuation continuation{};
 };
 
 /// Opens the folder of a run. A run killed before its first checkpoint is resumed from the start.
-OpenedRun open_directory(const fs::path& out, const RunContents& contents,
+OpenedRun open_directory(const fs::path& out, const Scene& scene, const RunContents& contents,
                          const RunOptions& options) {
   const bool has_checkpoint = fs::exists(out / "checkpoint");
-  if (options.resume && has_checkpoint) {
-    ResumedRun resumed = RunDirectory::resume(out, contents);
+  const bool resumes = options.resume && has_checkpoint;
+  Continuation continuation =
+      resumes ? find_continuation(out, scene, contents.scene) : Continuation{};
+  if (resumes && !continuation.from_start) {
+    ResumedRun resumed = RunDirectory::resume(out, contents, continuation.change);
     if (!resumed.by_this_program) {
       std::fprintf(
           stderr,
@@ -124,7 +133,7 @@ OpenedRun open_directory(const fs::path& out, const RunContents& contents,
           "may differ in their last digits\n",
           (out / "checkpoint").c_str());
     }
-    return {std::move(resumed.directory), std::move(resumed.checkpoint)};
+    return {std::move(resumed.directory), std::move(resumed.checkpoint), std::move(continuation)};
   }
   std::error_code ignored;
   if (!has_checkpoint && fs::equivalent(options.scene, out / "scene.toml", ignored) &&
@@ -136,15 +145,33 @@ OpenedRun open_directory(const fs::path& out, const RunContents& contents,
   const ExistingRun existing = options.overwrite ? ExistingRun::overwrite
                                : options.resume  ? ExistingRun::restart
                                                  : ExistingRun::refuse;
-  return {RunDirectory::create(out, contents, existing), {}};
+  return {RunDirectory::create(out, contents, existing), {}, std::move(continuation)};
 }
 
-void resume(Simulation& simulation, const Checkpoint& checkpoint, const fs::path& out) {
+void print_continuation(const OpenedRun& opened) {
+  const std::string start = opened.checkpoint
+                                ? "goes on at t = " + short_number(opened.checkpoint->t, 6)
+                                : "begins again, since all of its steps depended on its end,";
+  std::printf("the run %s with %s\n", start.c_str(), opened.continuation.keys.c_str());
+}
+
+/// Resumes a run. A run with a changed scene is saved at once: from then on, the folder belongs to
+/// this scene.
+void resume(Simulation& simulation, OpenedRun& opened, const fs::path& out) {
+  auto& [directory, checkpoint, continuation] = opened;
+  const bool has_other_settings = continuation.change && !continuation.is_extension;
   try {
-    simulation.resume(checkpoint);
+    has_other_settings ? simulation.continue_from(*checkpoint) : simulation.resume(*checkpoint);
   } catch (const std::out_of_range&) {
     throw RecordError(out / "checkpoint", "lacks data that this version requires to resume");
   }
+  if (!continuation.change) return;
+  if (has_other_settings) {
+    directory.write_text(earlier_scenes.name(directory.frame_count() - 1),
+                         continuation.change->before);
+  }
+  directory.save(simulation.checkpoint());
+  directory.keep_checkpoint();
 }
 
 /// Returns the largest resident set so far, in bytes; getrusage() returns multiples of 1024 bytes.
@@ -170,10 +197,10 @@ int run_scene(const RunOptions& options) {
 
   const fs::path out = options.out.empty() ? fs::path("out") / options.scene.stem() : options.out;
   const RunContents contents = contents_of(scene, solver);
-  OpenedRun opened = open_directory(out, contents, options);
+  OpenedRun opened = open_directory(out, scene, contents, options);
   RunDirectory& directory = opened.directory;
   const std::optional<Checkpoint>& checkpoint = opened.checkpoint;
-  directory.write_text("scene.toml", contents.scene);
+  if (opened.continuation.change && !options.quiet) print_continuation(opened);
   RunInfo info = info_of(scene, plan);
   Progress progress(checkpoint ? checkpoint->t : 0.0, scene.time ? scene.time->t_final : 0.0,
                     options.quiet || options.once);
@@ -187,13 +214,23 @@ int run_scene(const RunOptions& options) {
     directory.write_step(step);
     progress.step(step);
   };
-  const auto receive_checkpoint = [&](const Checkpoint& reached) { directory.save(reached); };
+  const OutputSchedule schedule(scene);
+  bool depends_on_end =
+      checkpoint && !opened.continuation.change && schedule.depends_on_end(checkpoint->t);
+  const auto receive_checkpoint = [&](const Checkpoint& reached) {
+    // The last checkpoint that does not depend on the end serves runs that are extended.
+    if (!std::exchange(depends_on_end, schedule.depends_on_end(reached.t)) && depends_on_end) {
+      directory.keep_checkpoint();
+    }
+    directory.save(reached);
+  };
   const auto receive_warning = [&](const std::string& warning) {
     progress.finish();
     std::fprintf(stderr, "stokes: %s\n", warning.c_str());
   };
   Simulation simulation(solver, {receive_frame, receive_step, receive_checkpoint, receive_warning});
-  if (checkpoint) resume(simulation, *checkpoint, out);
+  if (checkpoint) resume(simulation, opened, out);
+  directory.write_text("scene.toml", contents.scene);
 
   const auto finish = [&](int status, const std::string& message) {
     progress.finish();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,10 @@ struct RunOptions {
   std::filesystem::path scene;
   std::filesystem::path out;  ///< empty: the name of the scene, in out/
   std::vector<std::string> overrides;
-  int threads = 0;    ///< 0: all processors
-  bool once = false;  ///< true for stokes solve
+  std::filesystem::path from{};       ///< folder of a run whose state is the start; empty: none
+  std::optional<double> from_time{};  ///< time of this state; none: the last
+  int threads = 0;                    ///< 0: all processors
+  bool once = false;                  ///< true for stokes solve
   bool dry_run = false;
   bool resume = false;
   bool overwrite = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "record/animation.hpp"
 #include "record/csv.hpp"
@@ -28,7 +29,7 @@ constexpr const char* animation_name = "animation.html";
 constexpr const char* picture_name = "configuration.svg";
 constexpr const char* info_name = "run.json";
 constexpr const char* scene_name = "scene.toml";
-constexpr std::array frame_files{body_files, contact_files, field_files};
+constexpr std::array frame_files{body_files, contact_files, field_files, earlier_scenes};
 
 struct GrowingFile {
   std::string name;
@@ -59,9 +60,9 @@ std::optional<std::size_t> frame_of(const std::string& name) {
 }
 
 bool belongs_to_run(const std::string& name) {
-  constexpr std::array names{checkpoint_name, trajectory_name, walls_name,
-                             rheology_name,   contacts_name,   steps_name,
-                             animation_name,  picture_name,    info_name};
+  constexpr std::array names{checkpoint_name, kept_checkpoint, trajectory_name, walls_name,
+                             rheology_name,   contacts_name,   steps_name,      animation_name,
+                             picture_name,    info_name};
   const auto collects = [&](const FrameFiles& files) { return name == files.collection(); };
   return std::ranges::find(names, name) != names.end() ||
          std::ranges::any_of(frame_files, collects) || is_field_picture(name) || frame_of(name);
@@ -101,14 +102,19 @@ void require_no_run(const fs::path& directory, const std::string& ways_out) {
 }
 
 /// Refuses a checkpoint that names other files than the run writes: every file that it names will
-/// be opened and cut back, and a wrong name may be the path of a foreign file.
+/// be opened and cut back, and a wrong name may be the path of a foreign file. Only a changed scene
+/// may add files.
 void require_own_tables(const fs::path& directory, const SavedRun& saved,
-                        const RunContents& contents) {
-  const auto name_of = [](const auto& entry) { return entry.first; };
-  if (!std::ranges::is_permutation(growing_files(contents), saved.table_sizes, {},
-                                   &GrowingFile::name, name_of)) {
-    throw RecordError(directory / checkpoint_name, "lists other files than this run writes");
+                        const std::vector<GrowingFile>& own, bool is_changed) {
+  const auto is_listed = [&](const GrowingFile& file) {
+    return saved.table_sizes.contains(file.name);
+  };
+  const auto listed = std::ranges::count_if(own, is_listed);
+  if (std::cmp_equal(listed, saved.table_sizes.size()) &&
+      (is_changed || std::cmp_equal(listed, own.size()))) {
+    return;
   }
+  throw RecordError(directory / checkpoint_name, "lists other files than this run writes");
 }
 
 /// Removes the files of a run, the checkpoint first and steps.csv last. After a kill in between, no
@@ -138,24 +144,23 @@ RunDirectory RunDirectory::create(const fs::path& path, RunContents contents,
     remove_run(path);
   }
   RunDirectory directory(std::move(lock), path, std::move(contents));
-  for (const auto& [name, head] : growing_files(directory.contents_)) {
-    write_atomically(path / name, head, SafeFrom::kill);
-    directory.tables_.try_emplace(name, AppendFile::reopen(path / name, head.size()));
-  }
+  directory.open_tables({});
   return directory;
 }
 
-ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents) {
+ResumedRun RunDirectory::resume(const fs::path& path, RunContents contents,
+                                const std::optional<ChangedScene>& change) {
   FileLock lock = FileLock::of_folder(path);
-  SavedRun saved = read_saved_run(path / checkpoint_name);
-  if (saved.scene != fingerprint(contents.scene)) {
-    throw RecordError(path / checkpoint_name, "was written by a run of another scene");
+  const fs::path source = path / (change && change->before_end ? kept_checkpoint : checkpoint_name);
+  SavedRun saved = read_saved_run(source);
+  if (saved.scene != fingerprint(change ? change->before : contents.scene)) {
+    throw RecordError(source, "was written by a run of another scene");
   }
   RunDirectory directory(std::move(lock), path, std::move(contents));
-  require_own_tables(path, saved, directory.contents_);
-  for (const auto& [name, size] : saved.table_sizes) {
-    directory.tables_.try_emplace(name, AppendFile::reopen(path / name, size));
-  }
+  require_own_tables(path, saved, growing_files(directory.contents_), change.has_value());
+  // The last checkpoint must not refer to more rows than the tables have.
+  if (source.filename() == kept_checkpoint) directory.write_text(checkpoint_name, to_text(saved));
+  directory.open_tables(saved.table_sizes);
   directory.frame_times_ = std::move(saved.frame_times);
   // Collections are shortened first, so that they never name a missing file.
   directory.write_collections();
@@ -199,9 +204,21 @@ void RunDirectory::write_frame(const Frame& frame) {
   }
 }
 
+void RunDirectory::open_tables(const std::map<std::string, std::uintmax_t>& sizes) {
+  for (const auto& [name, head] : growing_files(contents_)) {
+    const auto size = sizes.find(name);
+    if (size == sizes.end()) write_atomically(path_ / name, head, SafeFrom::kill);
+    tables_.try_emplace(
+        name, AppendFile::reopen(path_ / name, size == sizes.end() ? head.size() : size->second));
+  }
+}
+
 void RunDirectory::write_collections() {
   const auto write = [&](const FrameFiles& files) {
-    replace(files.collection(), files.collection_text(frame_times_));
+    // A format that a changed scene has added has no files of the frames before.
+    std::size_t first = 0;
+    while (first < frame_count() && !fs::exists(path_ / files.name(first))) ++first;
+    replace(files.collection(), files.collection_text(frame_times_, first));
   };
   if (contents_.vtk) write(body_files);
   if (contents_.vtk && contents_.contacts) write(contact_files);
@@ -222,6 +239,12 @@ void RunDirectory::save(const Checkpoint& checkpoint) {
   unsynced_.clear();
   sync_names(path_);
   write_text(checkpoint_name, to_text(saved));
+}
+
+void RunDirectory::keep_checkpoint() const {
+  std::error_code error;
+  if (!fs::exists(path_ / checkpoint_name, error)) return;
+  write_text(kept_checkpoint, read_text(path_ / checkpoint_name));
 }
 
 void RunDirectory::write_text(const std::string& name, std::string_view text) const {

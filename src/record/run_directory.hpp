@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "record/checkpoint.hpp"
 #include "record/file_lock.hpp"
 #include "record/run_data.hpp"
+#include "record/vtk.hpp"
 
 namespace stokesbook {
 
@@ -28,6 +30,13 @@ struct RunContents {
   std::string program{};  ///< fingerprint of the program that writes the run
 };
 
+/// Names of the scenes of a run that has been changed: the scene with which the run went on to a
+/// frame, the last before the change.
+inline constexpr FrameFiles earlier_scenes{"scene_until_frame", ".toml"};
+
+/// Name of the copy that keep_checkpoint() makes.
+inline constexpr const char* kept_checkpoint = "checkpoint_before_end";
+
 /// Treatment of an earlier run in the same directory.
 enum class ExistingRun {
   refuse,    ///< the files of the run stay, and create() throws
@@ -36,6 +45,12 @@ enum class ExistingRun {
 };
 
 struct ResumedRun;
+
+/// The state from which a run continues with another scene, of the same bodies and walls.
+struct ChangedScene {
+  std::string before;       ///< resolved scene text of the run so far
+  bool before_end = false;  ///< true: at the checkpoint of keep_checkpoint(), not at the last one
+};
 
 /// The files of one run, written so that a kill at any moment leaves files that can be read and a
 /// run that can be resumed; @ref record lists the files, and the rules that ensure this.
@@ -53,11 +68,16 @@ class RunDirectory {
   static RunDirectory create(const std::filesystem::path& path, RunContents contents,
                              ExistingRun existing);
 
-  /// Opens a run at its last checkpoint, and removes rows and frames that were written later.
-  /// @param  contents  the same as for create()
+  /// Opens a run at a checkpoint, and removes rows and frames that were written later.
+  ///
+  /// After a change of the scene the run may write more files. Call save() before anything else:
+  /// until then the folder belongs to the scene before, and a killed run resumes with that.
+  /// @param  contents  the same as for create(), but for scene and added files after a change
+  /// @param  change    none: the scene is the same, and the run continues at its last checkpoint
   /// @throws RecordError when another run is writing the directory, or when checkpoint, contents
   ///         and files do not match
-  static ResumedRun resume(const std::filesystem::path& path, RunContents contents);
+  static ResumedRun resume(const std::filesystem::path& path, RunContents contents,
+                           const std::optional<ChangedScene>& change = {});
 
   /// Adds a frame to all files of the run. Tables and the animation contain the frame after save().
   /// @throws std::invalid_argument when the frame does not match the outlines, has contacts or a
@@ -75,6 +95,10 @@ class RunDirectory {
   ///            since the last call
   void save(const Checkpoint& checkpoint);
 
+  /// Keeps a copy of the last checkpoint, if there is one, beside the later ones: the run can be
+  /// extended from there.
+  void keep_checkpoint() const;
+
   /// Replaces a file in the directory by a text, atomically and safe from a power cut.
   void write_text(const std::string& name, std::string_view text) const;
 
@@ -83,6 +107,9 @@ class RunDirectory {
 
  private:
   RunDirectory(FileLock lock, const std::filesystem::path& path, RunContents contents);
+
+  /// Opens the growing files: those with a size are cut back to it, all others begin anew.
+  void open_tables(const std::map<std::string, std::uintmax_t>& sizes);
 
   /// Adds rows to a table, if the run writes this table.
   void append(const std::string& table, std::string_view rows);

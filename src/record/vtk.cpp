@@ -228,9 +228,10 @@ std::optional<std::size_t> FrameFiles::frame_of(const std::string& file) const {
   return file == name(frame) ? std::optional(frame) : std::nullopt;
 }
 
-std::string FrameFiles::collection_text(std::span<const double> frame_times) const {
+std::string FrameFiles::collection_text(std::span<const double> frame_times,
+                                        std::size_t first) const {
   std::string entries;
-  for (std::size_t k = 0; k < frame_times.size(); ++k) {
+  for (std::size_t k = first; k < frame_times.size(); ++k) {
     entries += "<DataSet timestep=\"" + words(frame_times[k]) + "\" file=\"" + name(k) + "\"/>\n";
   }
   return vtk_file({{"type", "Collection"}, {"version", "1.0"}}, element("Collection", {}, entries));

@@ -46,7 +46,9 @@ struct FrameFiles {
   std::string collection() const { return std::string(stem) + ".pvd"; }
 
   /// Writes a collection that lists the files of all frames, from the first, with their times.
-  std::string collection_text(std::span<const double> frame_times) const;
+  /// @param  frame_times  times of all frames of the run
+  /// @param  first        the first frame that has a file
+  std::string collection_text(std::span<const double> frame_times, std::size_t first = 0) const;
 };
 
 /// Files with polygons of the bodies and walls, by configuration_vtp().

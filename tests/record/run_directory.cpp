@@ -259,6 +259,53 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_resumed) {
                         mentions("trajectory.csv", "has 0 bytes"));
 }
 
+BOOST_AUTO_TEST_CASE(a_changed_scene_may_add_files) {
+  const Folder folder;
+  RunContents contents = sample_contents();
+  contents.vtk = contents.html = contents.fields = false;
+  const auto frame = [](int k) {
+    Frame sample = sample_frame(k);
+    sample.field.reset();
+    return sample;
+  };
+  {
+    RunDirectory run = create(folder, contents);
+    run.keep_checkpoint();  // there is none to keep
+    BOOST_TEST(!std::filesystem::exists(folder.at(kept_checkpoint)));
+    run.write_frame(frame(0));
+    run.save({.t = 0.1, .state = {}, .history = {}});
+    run.keep_checkpoint();
+    run.write_frame(frame(1));
+    run.save({.t = 0.2, .state = {}, .history = {}});
+  }
+  const std::string kept = read(folder.at(kept_checkpoint));
+  const ChangedScene change{.before = contents.scene, .before_end = true};
+  RunContents more = contents, fewer = contents, other = contents;
+  more.scene = fewer.scene = other.scene = "another scene";
+  more.vtk = more.html = true;
+  fewer.csv = false;
+  const auto resume = [&](const RunContents& changed, const ChangedScene& from) {
+    return RunDirectory::resume(folder.path(), changed, from);
+  };
+  BOOST_CHECK_EXCEPTION(resume(fewer, change), RecordError, mentions("checkpoint", "other files"));
+  BOOST_CHECK_EXCEPTION(resume(other, {.before = "a third scene"}), RecordError,
+                        mentions("checkpoint", "another scene"));
+  BOOST_TEST(resume(other, {.before = contents.scene}).directory.frame_count() == 2u);
+  {
+    ResumedRun resumed = resume(more, change);
+    BOOST_TEST(resumed.checkpoint.t == 0.1);
+    BOOST_TEST(resumed.directory.frame_count() == 1u);
+    BOOST_TEST(read(folder.at("checkpoint")) == kept);  // a kill here is a kill before the change
+    BOOST_TEST(!contains(read(folder.at("bodies.pvd")), "vtp"));
+    resumed.directory.save(resumed.checkpoint);
+    resumed.directory.write_frame(frame(1));
+    resumed.directory.save({.t = 0.2, .state = {}, .history = {}});
+  }
+  BOOST_TEST(!contains(read(folder.at("bodies.pvd")), "bodies_000000.vtp"));
+  BOOST_TEST(contains(read(folder.at("bodies.pvd")), "bodies_000001.vtp"));
+  BOOST_TEST(RunDirectory::resume(folder.path(), more).checkpoint.t == 0.2);
+}
+
 // A checkpoint from another person may name any file, and its checksum can be recomputed.
 BOOST_AUTO_TEST_CASE(files_of_others_are_left_alone) {
   const Folder folder, other;

@@ -224,6 +224,61 @@ BOOST_AUTO_TEST_CASE(a_run_resumed_at_any_frame_continues_bit_for_bit) {
   }
 }
 
+// A step depends on the end of the run if no written time or reversal precedes the end.
+BOOST_AUTO_TEST_CASE(steps_after_the_last_event_depend_on_the_end) {
+  const auto first_dependent = [](const Scene& scene) {
+    const OutputSchedule schedule(scene);
+    double t = 0.0;
+    while (!schedule.depends_on_end(t)) t = schedule.next_event(t);
+    return t;
+  };
+  Scene scene = sheared_pair(SteppingMethod::heun);
+  BOOST_TEST(first_dependent(scene) == 0.75);
+  scene.reverse_at = {0.8, 1.0};
+  BOOST_TEST(first_dependent(scene) == 0.8);
+  scene.time->method = SteppingMethod::dormand_prince54;
+  BOOST_TEST(first_dependent(scene) == 0.8);
+  scene.reverse_at = {};
+  BOOST_TEST(first_dependent(scene) == 0.0);
+  scene.time->method = SteppingMethod::heun;
+  scene.output.dt_write.reset();
+  BOOST_TEST(first_dependent(scene) == 0.0);
+}
+
+// Settings change nothing where the run is, and the contact of the new settings is checked.
+BOOST_AUTO_TEST_CASE(a_run_goes_on_with_other_settings) {
+  Scene scene = sheared_pair();
+  std::vector<Checkpoint> checkpoints;
+  const SuspensionSolver solver(scene);
+  const Recorded before = record(solver, {}, &checkpoints);
+  scene.time = TimeSettings{2.0, 0.1, SteppingMethod::rk4};
+  scene.solver.tolerance = 1e-6;
+  const SuspensionSolver other(scene);
+  std::vector<Frame> frames;
+  Observer observer;
+  observer.frame = [&](const Frame& frame) { frames.push_back(frame); };
+  Simulation simulation(other, observer);
+  simulation.continue_from(checkpoints.back());
+  BOOST_TEST(simulation.checkpoint().t == 1.0);
+  BOOST_TEST(simulation.checkpoint().step == checkpoints.back().step);
+  BOOST_TEST(simulation.checkpoint().state == checkpoints.back().state);
+  simulation.run();
+  BOOST_REQUIRE(frames.size() == 4U);
+  BOOST_TEST(frames.front().t == 1.25);
+  BOOST_TEST(simulation.totals().steps > checkpoints.back().step);
+  // The same from a scene that starts there: Runge and Kutta's steps have no memory.
+  for (std::size_t k = 0; k < 2; ++k) {
+    scene.bodies[k].position = before.frames.back().bodies[k].position;
+    scene.bodies[k].orientation = before.frames.back().bodies[k].orientation;
+  }
+  scene.time->t_final = 1.0;
+  const Frame end = frames_of(scene).back();
+  for (std::size_t k = 0; k < 2; ++k) {
+    BOOST_TEST(std::abs(end.bodies[k].position - frames.back().bodies[k].position) < 1e-5);
+    BOOST_TEST(std::abs(end.bodies[k].orientation - frames.back().bodies[k].orientation) < 1e-5);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(walls_and_held_bodies_move_as_prescribed) {
   Scene scene;
   scene.walls = {{WallRole::outer, Circle{5.0}, {}, 0.0, 96, RotatingWall{0.5}}};

@@ -35,6 +35,10 @@ class OutputSchedule {
   /// without interpolation, next written time.
   double next_event(double t) const;
 
+  /// Returns whether a step from t, and with it all later steps, depends on the end of the run: no
+  /// event precedes the end.
+  bool depends_on_end(double t) const { return next_event(t) >= t_final_; }
+
  private:
   double t_final_;
   std::optional<double> dt_write_;

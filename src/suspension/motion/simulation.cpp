@@ -60,6 +60,14 @@ void Simulation::resume(const Checkpoint& checkpoint) {
   instants_.memory() = state_.solves;
 }
 
+void Simulation::continue_from(const Checkpoint& checkpoint) {
+  auto [reached, statistics] = from_checkpoint(checkpoint, state_, statistics_);
+  statistics_ = std::move(statistics);
+  state_.now = std::move(reached.now);
+  state_.last_written = reached.last_written;
+  state_.closer = steps_->admit_start(to_configuration(state_.now.state));
+}
+
 // [run]
 void Simulation::run() {
   state_.amplitude = schedule_.amplitude_at(time());
@@ -154,7 +162,7 @@ void Simulation::write(double t, const Solution& solution,
     observer_.frame(frame);
   }
   state_.last_written = t;
-  if (observer_.checkpoint) observer_.checkpoint(to_checkpoint(state_, statistics_));
+  if (observer_.checkpoint) observer_.checkpoint(checkpoint());
 }
 
 }  // namespace stokesbook

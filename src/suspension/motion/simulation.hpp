@@ -45,6 +45,17 @@ class Simulation {
   /// @throws std::out_of_range when the checkpoint lacks something
   void resume(const Checkpoint& checkpoint);
 
+  /// Continues from a checkpoint of a scene with the same bodies, walls and driving, and with other
+  /// settings. Time, configuration and statistics are those of the checkpoint; steps, solves and
+  /// contact begin anew.
+  ///
+  /// @throws std::out_of_range when the checkpoint lacks something
+  /// @throws ConfigurationError when pairs are closer than the scene's contact allows
+  void continue_from(const Checkpoint& checkpoint);
+
+  /// Returns the checkpoint from which the run would continue now.
+  Checkpoint checkpoint() const { return to_checkpoint(state_, statistics_); }
+
   /// Runs to the end.
   ///
   /// @throws SolverError with the time; what was written before stays
