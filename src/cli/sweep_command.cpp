@@ -32,14 +32,13 @@ int run_task(const Sweep& sweep, const SweepOptions& options) {
     throw SceneError(options.file.string() + ": has " + std::to_string(task_count(sweep)) +
                      " tasks, numbered from 0; there is no task " + std::to_string(*options.task));
   }
-  require_task(options.out, sweep, *options.task);
-  const TaskFolder folder(options.out, *options.task);
+  const Task task = require_task(options.out, sweep, *options.task);
+  const TaskFolder folder(options.out, task.number);
   make_folder(folder.path());
   const FileLock lock = FileLock::wait_for(folder.lock());
   if (folder.state() == TaskState::done) return exit_done;
   folder.remove_failure();
   try {
-    const Task task = task_of(sweep, *options.task);
     return run_scene({.scene = sweep.scene,
                       .out = folder.path(),
                       .overrides = task.overrides(),
@@ -58,11 +57,11 @@ Batch batch_of(const Sweep& sweep, const SweepOptions& options) {
           task_count(sweep), options.threads};
 }
 
-/// Returns the numbers of the tasks that are not done.
-std::vector<std::size_t> find_tasks_to_do(const Sweep& sweep, const fs::path& out) {
+/// Returns the numbers, below a number of tasks, of the tasks that are not done.
+std::vector<std::size_t> find_tasks_to_do(std::size_t count, const fs::path& out) {
   std::vector<std::size_t> tasks;
   bool is_shared = false;
-  for (std::size_t k = 0; k < task_count(sweep); ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     const TaskFolder folder(out, k);
     if (folder.state() == TaskState::done) continue;
     tasks.push_back(k);
@@ -81,19 +80,19 @@ void report_failure(const Task& task, const TaskFolder& folder) {
 }
 
 /// Runs the tasks that are not done, and returns the number of tasks that failed.
-std::size_t run_tasks(const Sweep& sweep, const SweepOptions& options) {
-  const std::vector<std::size_t> tasks = find_tasks_to_do(sweep, options.out);
+std::size_t run_tasks(const Sweep& sweep, const std::vector<Task>& all,
+                      const SweepOptions& options) {
+  const std::vector<std::size_t> tasks = find_tasks_to_do(all.size(), options.out);
   const int jobs =
       options.jobs > 0 ? options.jobs : std::max(1, omp_get_num_procs() / options.threads);
   if (!options.quiet) {
-    std::printf("%zu tasks, %zu of them to do, %d at a time\n", task_count(sweep), tasks.size(),
-                jobs);
+    std::printf("%zu tasks, %zu of them to do, %d at a time\n", all.size(), tasks.size(), jobs);
     std::fflush(stdout);
   }
   std::size_t left = tasks.size(), failed = 0;
   run_in_parallel(batch_of(sweep, options), tasks, jobs, [&](std::size_t number, int signal) {
     --left;
-    const Task task = task_of(sweep, number);
+    const Task& task = *std::ranges::find(all, number, &Task::number);
     const TaskFolder folder(options.out, number);
     if (signal > 0) {
       folder.write_failure("killed by signal " + std::to_string(signal) + ", the last of " +
@@ -110,9 +109,10 @@ std::size_t run_tasks(const Sweep& sweep, const SweepOptions& options) {
   return failed;
 }
 
-void write_results(const Sweep& sweep, const SweepOptions& options) {
+void write_results(const Sweep& sweep, const std::vector<Task>& tasks,
+                   const SweepOptions& options) {
   const FileLock lock = FileLock::wait_for(sweep_lock(options.out));
-  const std::vector<ResultRow> rows = collect(options.out, sweep);
+  const std::vector<ResultRow> rows = collect(options.out, sweep, tasks);
   const fs::path path = options.out / "results.csv";
   write_atomically(path, to_csv(sweep, rows), SafeFrom::power_cut);
   if (!options.quiet) std::printf("%sresults in %s\n", to_text(sweep, rows).c_str(), path.c_str());
@@ -125,19 +125,18 @@ int run_sweep(SweepOptions options) {
   const Sweep sweep = read_sweep(options.file);
   if (options.task) return run_task(sweep, options);
   if (options.collect) {
-    require_sweep(options.out, sweep);
-    write_results(sweep, options);
+    write_results(sweep, require_sweep(options.out, sweep), options);
     return exit_done;
   }
-  open_sweep(options.out, sweep);
+  const std::vector<Task> tasks = open_sweep(options.out, sweep);
   if (options.plan) {
     const Batch batch = batch_of(sweep, options);
     std::printf("# %zu tasks, listed in %s\n%s", batch.tasks, (options.out / "tasks.csv").c_str(),
                 batch_commands(batch).c_str());
     return exit_done;
   }
-  const std::size_t failed = run_tasks(sweep, options);
-  write_results(sweep, options);
+  const std::size_t failed = run_tasks(sweep, tasks, options);
+  write_results(sweep, tasks, options);
   return failed > 0 ? exit_refused : exit_done;
 }
 

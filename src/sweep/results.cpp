@@ -13,7 +13,6 @@
 
 #include "record/atomic_file.hpp"
 #include "sweep/sweep_folder.hpp"
-#include "sweep/task.hpp"
 #include "text/number_text.hpp"
 #include "text/word_list.hpp"
 
@@ -51,15 +50,16 @@ Column read_column(const std::filesystem::path& path, const Quantity& quantity) 
   return column;
 }
 
-ResultRow collect_row(const std::filesystem::path& out, const Sweep& sweep, std::size_t first) {
+/// Collects the runs of one combination, which differ only in their seeds.
+ResultRow collect_row(const std::filesystem::path& out, const Sweep& sweep,
+                      std::span<const Task> tasks) {
   ResultRow row;
-  const Task task = task_of(sweep, first);
-  for (std::size_t k = 0; k < sweep.axes.size(); ++k) {
-    row.values.push_back(task.settings[k].chosen.value);
+  for (std::size_t k = 0; k < sweep.columns.size(); ++k) {
+    row.values.push_back(tasks.front().settings[k].chosen.value);
   }
   std::vector<std::vector<double>> values(sweep.quantities.size());
-  for (std::size_t k = first; k < first + runs_per_combination(sweep); ++k) {
-    const TaskFolder folder(out, k);
+  for (const Task& task : tasks) {
+    const TaskFolder folder(out, task.number);
     const TaskState state = folder.state();
     if (state == TaskState::failed) ++row.failed;
     if (state == TaskState::unfinished) ++row.unfinished;
@@ -137,17 +137,19 @@ MeanEstimate estimate_mean(std::span<const double> values) {
   return {mean, standard_error, gsl_cdf_tdist_Pinv(0.975, n - 1.0) * standard_error};
 }
 
-std::vector<ResultRow> collect(const std::filesystem::path& out, const Sweep& sweep) {
+std::vector<ResultRow> collect(const std::filesystem::path& out, const Sweep& sweep,
+                               std::span<const Task> tasks) {
   std::vector<ResultRow> rows;
-  for (std::size_t k = 0; k < task_count(sweep); k += runs_per_combination(sweep)) {
-    rows.push_back(collect_row(out, sweep, k));
+  const std::size_t runs = runs_per_combination(sweep);
+  for (std::size_t k = 0; k < tasks.size(); k += runs) {
+    rows.push_back(collect_row(out, sweep, tasks.subspan(k, runs)));
   }
   return rows;
 }
 
 std::string to_csv(const Sweep& sweep, const std::vector<ResultRow>& rows) {
   std::string text;
-  for (const Axis& axis : sweep.axes) text += csv_cell(axis.name) + ",";
+  for (const std::string& name : sweep.columns) text += csv_cell(name) + ",";
   text += "runs,failed,unfinished";
   for (const Quantity& quantity : sweep.quantities) {
     for (const std::string& column : columns_of(quantity)) text += "," + column;
@@ -168,8 +170,7 @@ std::string to_csv(const Sweep& sweep, const std::vector<ResultRow>& rows) {
 }
 
 std::string to_text(const Sweep& sweep, const std::vector<ResultRow>& rows) {
-  std::vector<std::vector<std::string>> lines(1);
-  for (const Axis& axis : sweep.axes) lines[0].push_back(axis.name);
+  std::vector<std::vector<std::string>> lines{sweep.columns};
   for (const char* count : {"runs", "failed", "unfinished"}) lines[0].emplace_back(count);
   for (const Quantity& quantity : sweep.quantities) lines[0].push_back(quantity.name);
   for (const ResultRow& row : rows) {

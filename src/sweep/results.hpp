@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sweep/sweep.hpp"
+#include "sweep/task.hpp"
 
 namespace stokesbook {
 
@@ -44,7 +45,7 @@ MeanEstimate estimate_mean(std::span<const double> values);
 
 /// The results of all runs with one combination of the axes' values.
 struct ResultRow {
-  std::vector<std::string> values;      ///< one for each axis, in TOML's syntax
+  std::vector<std::string> values;      ///< one for each column of the axes, in TOML's syntax
   int runs = 0;                         ///< number of runs that are done
   int failed = 0;                       ///< number of runs whose last attempt ended with an error
   int unfinished = 0;                   ///< number of runs not begun, under way, or killed
@@ -53,9 +54,11 @@ struct ResultRow {
 
 /// Collects the quantities of all runs that are done from the folder of a sweep.
 ///
+/// @param   tasks  the tasks by their places, as open_sweep() returns them
 /// @return  one row for each combination; the last axis varies fastest
 /// @throws RecordError when the tables of a run that is done are damaged or end too early
-std::vector<ResultRow> collect(const std::filesystem::path& out, const Sweep& sweep);
+std::vector<ResultRow> collect(const std::filesystem::path& out, const Sweep& sweep,
+                               std::span<const Task> tasks);
 
 /// Writes results as `results.csv`: columns of the axes, `runs,failed,unfinished`, and columns_of()
 /// each quantity, with 17 digits.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <set>
+#include <span>
 #include <string_view>
 
 #include "record/csv.hpp"
@@ -70,20 +72,26 @@ std::string toml_text(const Node& node) {
   return node.text;
 }
 
-std::vector<AxisValue> read_values(const Node& node) {
-  std::vector<AxisValue> values;
+using AxisValues = std::vector<std::vector<AxisValue>>;
+
+/// Reads the values of one key, or lists with a value for each of several keys.
+AxisValues read_values(const Node& node, std::size_t keys = 1) {
+  const std::string expected = "a list of " + std::to_string(keys) + " values, one for each key";
+  AxisValues values;
+  std::set<std::string> texts;
   for (const Node& element : elements_of(node, "a list of values")) {
-    AxisValue value{toml_text(element), element.where};
-    if (std::ranges::find(values, value.value, &AxisValue::value) != values.end()) {
-      fail(element, "is repeated in the list");
-    }
-    values.push_back(std::move(value));
+    if (!texts.insert(toml_text(element)).second) fail(element, "is repeated in the list");
+    std::vector<AxisValue>& value = values.emplace_back();
+    const std::span parts =
+        keys > 1 ? std::span(elements_of(element, expected)) : std::span(&element, 1);
+    if (parts.size() != keys) fail(element, "must be " + expected);
+    for (const Node& part : parts) value.push_back({toml_text(part), part.where});
   }
   if (values.empty()) fail(node, "must be a list of one or more values");
   return values;
 }
 
-std::vector<AxisValue> read_range(const Node& node) {
+AxisValues read_range(const Node& node) {
   const TableReader table(node, {"from", "to", "count", "spacing"});
   const double from = table.require("from", any_number);
   const double to = table.require("to", any_number);
@@ -94,38 +102,51 @@ std::vector<AxisValue> read_range(const Node& node) {
     fail(*table.find(from <= 0.0 ? "from" : "to"), "must be > 0 where the spacing is logarithmic");
   }
   // With s_k = k / (count - 1): x_k = from + s_k (to - from), or from (to / from)^{s_k}.
-  std::vector<AxisValue> values;
+  AxisValues values;
   for (int k = 0; k < count; ++k) {
     const double s = static_cast<double>(k) / (count - 1);
     const double between = is_logarithmic ? from * std::pow(to / from, s) : from + s * (to - from);
-    values.push_back({toml_value(k == count - 1 ? to : between), node.where});
+    values.push_back({{toml_value(k == count - 1 ? to : between), node.where}});
   }
   return values;
+}
+
+/// Reads a key, or a list of keys that change together.
+std::vector<std::string> read_keys(const Node& node) {
+  std::vector<std::string> keys;
+  const auto* list = std::get_if<Array>(&node.value);
+  if (list != nullptr && list->size() < 2) fail(node, "must be one key, or a list of several");
+  for (const Node& key : list != nullptr ? std::span(*list) : std::span(&node, 1)) {
+    keys.push_back(read(key, scene_key));
+    if (keys.back() == "seed") fail(key, "seeds are not an axis; list them in the key seeds");
+  }
+  return keys;
 }
 
 Axis read_axis(const Node& node) {
   const TableReader table(node, {"key", "name", "values", "range"});
   Axis axis;
-  axis.key = table.require("key", scene_key);
-  if (axis.key == "seed") {
-    fail(*table.find("key"), "seeds are not an axis; list them in the key seeds");
+  axis.keys = axis.names = read_keys(table.at("key", describe(scene_key)));
+  if (axis.keys.size() > 1) {
+    table.refuse({"name", "range"}, "not allowed with a list of keys, which requires values");
+  } else if (const auto name = table.get("name", column_name)) {
+    axis.names = {*name};
   }
-  axis.name = table.get("name", column_name).value_or(axis.key);
   const Node *values = table.find("values"), *range = table.find("range");
   if ((values == nullptr) == (range == nullptr)) fail(node, "must hold values or range, not both");
-  axis.values = values != nullptr ? read_values(*values) : read_range(*range);
+  axis.values = values != nullptr ? read_values(*values, axis.keys.size()) : read_range(*range);
   return axis;
 }
 
-std::vector<AxisValue> read_seeds(const TableReader& root) {
+AxisValues read_seeds(const TableReader& root) {
   const Node* node = root.find("seeds");
   if (node == nullptr) return {};
   if (std::holds_alternative<Table>(node->value)) {
     const TableReader table(*node, {"first", "count"});
     const std::int64_t first = table.require("first", first_seed);
     const int count = table.require("count", number_of_seeds);
-    std::vector<AxisValue> seeds;
-    for (int k = 0; k < count; ++k) seeds.push_back({toml_value(first + k), node->where});
+    AxisValues seeds;
+    for (int k = 0; k < count; ++k) seeds.push_back({{toml_value(first + k), node->where}});
     return seeds;
   }
   for (const Node& element : elements_of(*node, "a list of integers or { first, count }")) {
@@ -217,11 +238,15 @@ Sweep read_sweep(const std::filesystem::path& path) {
   // Column names that are taken: the tables of every sweep have these columns.
   std::vector<std::string> columns{"task", "folder", "seed",      "scene",
                                    "runs", "failed", "unfinished"};
+  std::set<std::string> keys;
   for (const Node& node : root.tables("axes")) {
     const Axis& axis = sweep.axes.emplace_back(read_axis(node));
-    require_distinct(axis.name, columns, node);
-    if (std::ranges::count(sweep.axes, axis.key, &Axis::key) > 1) {
-      fail(node, "another axis already sets " + axis.key);
+    for (const std::string& name : axis.names) {
+      require_distinct(name, columns, node);
+      sweep.columns.push_back(name);
+    }
+    for (const std::string& key : axis.keys) {
+      if (!keys.insert(key).second) fail(node, "the axes set " + key + " twice");
     }
   }
   sweep.seeds.values = read_seeds(root);

@@ -15,11 +15,11 @@ struct AxisValue {
   std::string where;  ///< place in the sweep file, "couette.toml:7:12"
 };
 
-/// An axis of a sweep: a key of the scene and its values.
+/// An axis of a sweep: a key of the scene, or several that change together, and the values.
 struct Axis {
-  std::string key;                ///< path in the scene, "fill.0.area_fraction"
-  std::string name;               ///< header of the column in tables
-  std::vector<AxisValue> values;  ///< in order
+  std::vector<std::string> keys;               ///< paths in the scene, "fill.0.area_fraction"
+  std::vector<std::string> names;              ///< headers of the columns in tables, one a key
+  std::vector<std::vector<AxisValue>> values;  ///< in order; each has one value for each key
 };
 
 /// Operation that reduces a column of a run's table, a function of time, to one number.
@@ -45,10 +45,11 @@ struct Quantity {
 
 /// A sweep: a scene, values for some of its keys, and quantities to collect from the runs.
 struct Sweep {
-  std::filesystem::path scene;       ///< scene file
-  std::vector<Axis> axes;            ///< all combinations are run; the last axis varies fastest
-  Axis seeds{"seed", "seed", {}};    ///< seeds of each combination; empty: the seed of the scene
-  std::vector<Quantity> quantities;  ///< quantities to collect
+  std::filesystem::path scene;         ///< scene file
+  std::vector<Axis> axes;              ///< all combinations are run; the last axis varies fastest
+  Axis seeds{{"seed"}, {"seed"}, {}};  ///< seeds of each combination; empty: the seed of the scene
+  std::vector<std::string> columns;    ///< headers of the columns of all axes, without the seed
+  std::vector<Quantity> quantities;    ///< quantities to collect
 };
 
 /// Returns the names of a quantity's columns in the results: mean, standard error and interval.

@@ -11,10 +11,10 @@
 #include "record/run_info.hpp"
 #include "scene/scene.hpp"
 #include "scene/write.hpp"
-#include "sweep/task.hpp"
 #include "text/fingerprint.hpp"
 #include "text/number_text.hpp"
 #include "text/text_file.hpp"
+#include "text/word_list.hpp"
 
 namespace stokesbook {
 
@@ -31,16 +31,20 @@ std::string read_manifest(const std::filesystem::path& out) {
   throw RecordError(manifest_file(out), "does not exist; run stokes sweep --plan first");
 }
 
-void require_same(const std::filesystem::path& out, bool is_same) {
-  if (is_same) return;
+[[noreturn]] void refuse_missing_tasks(const std::filesystem::path& out) {
+  throw RecordError(manifest_file(out), "lacks tasks of the sweep; run stokes sweep --plan first");
+}
+
+[[noreturn]] void refuse_other_sweep(const std::filesystem::path& out, std::size_t number) {
   throw RecordError(manifest_file(out),
-                    "belongs to another sweep, or the scene has changed; choose another --out");
+                    "belongs to another sweep, or the scene has changed: the sweep lacks task " +
+                        std::to_string(number) + "; choose another --out");
 }
 
 std::string header(const Sweep& sweep) {
   std::string text = "task,folder,";
-  for (const Axis& axis : sweep.axes) text += csv_cell(axis.name) + ",";
-  if (!sweep.seeds.values.empty()) text += sweep.seeds.name + ",";
+  for (const std::string& name : sweep.columns) text += csv_cell(name) + ",";
+  if (!sweep.seeds.values.empty()) text += "seed,";
   return text + "scene\n";
 }
 
@@ -48,10 +52,11 @@ std::string scene_fingerprint(const Sweep& sweep, const Task& task) {
   return fingerprint(to_toml(scene_of(sweep, task)));
 }
 
-std::string row(const Task& task, const std::string& scene) {
+/// Returns the row of a task without the fingerprint at its end.
+std::string row(const Task& task) {
   std::string text = std::to_string(task.number) + "," + TaskFolder::name(task.number) + ",";
   for (const Setting& setting : task.settings) text += csv_cell(setting.chosen.value) + ",";
-  return text + scene + "\n";
+  return text;
 }
 
 /// Refuses two tasks with the same scene, at the place of the first value in which they differ.
@@ -64,6 +69,43 @@ std::string row(const Task& task, const std::string& scene) {
                    earlier.description());
 }
 
+/// Returns the rows of a manifest; the place of a row is the number of its task.
+std::vector<std::string_view> rows_of(std::string_view text) {
+  const std::vector<std::string_view> lines = split(text, '\n');
+  return {lines.begin() + 1, std::max(lines.begin() + 1, lines.end() - 1)};
+}
+
+/// The tasks of a sweep, by their places, and the text of its manifest.
+struct TaskList {
+  std::vector<Task> tasks;
+  std::string text;
+};
+
+/// Lists the tasks of a sweep. Tasks with a row in an earlier manifest, each of whose rows must
+/// have a task, keep their numbers; other tasks have the next ones.
+TaskList list_tasks(const std::filesystem::path& out, const Sweep& sweep,
+                    std::string_view earlier) {
+  std::map<std::string, std::size_t, std::less<>> numbers, places;  // by fingerprint of the scene
+  for (const std::string_view line : rows_of(earlier)) {
+    numbers.emplace(line.substr(line.rfind(',') + 1), numbers.size());
+  }
+  TaskList list{{}, header(sweep)};
+  std::map<std::size_t, std::string> rows;
+  for (std::size_t k = 0; k < task_count(sweep); ++k) {
+    Task& task = list.tasks.emplace_back(task_of(sweep, k));
+    const std::string scene = scene_fingerprint(sweep, task);
+    const auto [first, is_new] = places.emplace(scene, k);
+    if (!is_new) refuse_repetition(task, task_of(sweep, first->second));
+    task.number = numbers.emplace(scene, numbers.size()).first->second;
+    rows[task.number] = row(task) + scene + "\n";
+  }
+  for (const auto& [scene, number] : numbers) {
+    if (!places.contains(scene)) refuse_other_sweep(out, number);
+  }
+  for (const auto& [number, text] : rows) list.text += text;
+  return list;
+}
+
 }  // namespace
 
 std::string csv_cell(std::string_view text) {
@@ -73,42 +115,40 @@ std::string csv_cell(std::string_view text) {
   return quoted + '"';
 }
 
-std::string manifest(const Sweep& sweep) {
-  std::string text = header(sweep);
-  std::map<std::string, std::size_t> tasks;  // task numbers by fingerprint of the scene
-  for (std::size_t k = 0; k < task_count(sweep); ++k) {
-    const Task task = task_of(sweep, k);
-    const std::string scene = scene_fingerprint(sweep, task);
-    const auto [earlier, is_new] = tasks.emplace(scene, k);
-    if (!is_new) refuse_repetition(task, task_of(sweep, earlier->second));
-    text += row(task, scene);
-  }
-  return text;
-}
-
-void open_sweep(const std::filesystem::path& out, const Sweep& sweep) {
-  const std::string text = manifest(sweep);
+std::vector<Task> open_sweep(const std::filesystem::path& out, const Sweep& sweep) {
+  const auto read = [&] { return read_text_file(manifest_file(out)).value_or(""); };
+  std::string before = read();
+  TaskList list = list_tasks(out, sweep, before);
   make_folder(out / "runs");
   // If two sweeps begin at once, one of them writes the manifest.
   const FileLock lock = FileLock::wait_for(sweep_lock(out));
-  std::error_code error;
-  if (!std::filesystem::exists(manifest_file(out), error)) {
-    write_atomically(manifest_file(out), text, SafeFrom::power_cut);
+  if (const std::string now = read(); now != before) {
+    list = list_tasks(out, sweep, before = now);
   }
-  require_same(out, read_manifest(out) == text);
-  for (std::size_t k = 0; k < task_count(sweep); ++k) make_folder(TaskFolder(out, k).path());
+  if (list.text != before) write_atomically(manifest_file(out), list.text, SafeFrom::power_cut);
+  for (const Task& task : list.tasks) make_folder(TaskFolder(out, task.number).path());
+  return list.tasks;
 }
 
-void require_sweep(const std::filesystem::path& out, const Sweep& sweep) {
-  const std::string text = manifest(sweep);
-  require_same(out, read_manifest(out) == text);
-}
-
-void require_task(const std::filesystem::path& out, const Sweep& sweep, std::size_t task) {
+std::vector<Task> require_sweep(const std::filesystem::path& out, const Sweep& sweep) {
   const std::string text = read_manifest(out);
-  const Task asked = task_of(sweep, task);
-  const std::string line = "\n" + row(asked, scene_fingerprint(sweep, asked));
-  require_same(out, text.starts_with(header(sweep)) && text.find(line) != std::string::npos);
+  TaskList list = list_tasks(out, sweep, text);
+  if (list.text != text) refuse_missing_tasks(out);
+  return list.tasks;
+}
+
+Task require_task(const std::filesystem::path& out, const Sweep& sweep, std::size_t number) {
+  const std::string text = read_manifest(out);
+  const std::vector<std::string_view> rows = rows_of(text);
+  if (number >= rows.size()) refuse_missing_tasks(out);
+  for (std::size_t k = 0; k < task_count(sweep); ++k) {
+    Task task = task_of(sweep, k);
+    task.number = number;
+    const std::string start = row(task);
+    if (!rows[number].starts_with(start)) continue;
+    if (rows[number] == start + scene_fingerprint(sweep, task)) return task;
+  }
+  refuse_other_sweep(out, number);
 }
 
 std::filesystem::path sweep_lock(const std::filesystem::path& out) {

@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sweep/sweep.hpp"
+#include "sweep/task.hpp"
 
 namespace stokesbook {
 
@@ -13,32 +15,29 @@ namespace stokesbook {
 /// quotes, with its own quotes doubled.
 std::string csv_cell(std::string_view text);
 
-/// Writes `tasks.csv`, the list of a sweep's tasks, and checks the scene of each.
+/// Checks the scenes of all tasks, and makes the folder of a sweep with its manifest `tasks.csv`
+/// and the folders of its tasks.
 ///
-/// The columns are `task,folder`, the axes, `seed` if the sweep has seeds, and `scene`, a
-/// fingerprint of the task's whole scene.
+/// The columns of the manifest are `task,folder`, the axes, `seed` if the sweep has seeds, and
+/// `scene`, a fingerprint of the task's whole scene. Tasks whose scenes are listed in an existing
+/// folder keep their numbers and folders; new tasks follow.
+/// @return  all tasks by their places, see task_of()
 /// @throws SceneError as scene_of() does, and when two tasks have the same scene
-std::string manifest(const Sweep& sweep);
+/// @throws RecordError when the folder cannot be written, or lists a task that the sweep lacks
+std::vector<Task> open_sweep(const std::filesystem::path& out, const Sweep& sweep);
 
-/// Makes the folder of a sweep with its manifest and the folders of its tasks, or checks that an
-/// existing folder belongs to the same sweep.
+/// Returns the tasks of a sweep whose folder lists all of them, by their places.
 ///
-/// @throws SceneError as manifest() does
-/// @throws RecordError when the folder cannot be written, or belongs to another sweep
-void open_sweep(const std::filesystem::path& out, const Sweep& sweep);
+/// @throws SceneError as open_sweep() does
+/// @throws RecordError when the folder lists other tasks than the sweep has
+std::vector<Task> require_sweep(const std::filesystem::path& out, const Sweep& sweep);
 
-/// Checks that a folder belongs to a sweep, by its whole manifest.
-///
-/// @throws SceneError as manifest() does
-/// @throws RecordError when the folder belongs to no sweep or to another one
-void require_sweep(const std::filesystem::path& out, const Sweep& sweep);
-
-/// Checks that a folder belongs to a sweep, by the row of one task in the manifest.
+/// Returns the task of a number; only the scene of this task is read.
 ///
 /// @throws SceneError as scene_of() does
-/// @throws RecordError when the folder belongs to no sweep, or when the task has other values or
-///         another scene
-void require_task(const std::filesystem::path& out, const Sweep& sweep, std::size_t task);
+/// @throws RecordError when the folder belongs to no sweep, or when the sweep lacks the values or
+///         the scene that the folder lists for this number
+Task require_task(const std::filesystem::path& out, const Sweep& sweep, std::size_t number);
 
 /// Returns the path of the FileLock that protects the files of the whole sweep.
 std::filesystem::path sweep_lock(const std::filesystem::path& out);

@@ -1,4 +1,4 @@
-// Enumerates the tasks of a sweep: the number of a task, in mixed radix, gives the value of each
+// Enumerates the tasks of a sweep: the place of a task, in mixed radix, gives the value of each
 // axis and the seed.
 #include "sweep/task.hpp"
 
@@ -52,9 +52,9 @@ void require_quantity(const Quantity& quantity, const SceneFile& file) {
   }
 }
 
-void require_use_of_seeds(const std::vector<AxisValue>& seeds, bool has_fills) {
+void require_use_of_seeds(const std::vector<std::vector<AxisValue>>& seeds, bool has_fills) {
   if (seeds.size() < 2 || has_fills) return;
-  throw SceneError(seeds[1].where +
+  throw SceneError(seeds[1][0].where +
                    ": seeds: the scene has no [[fill]], so all seeds give the same run; keep one "
                    "seed");
 }
@@ -78,18 +78,19 @@ std::size_t task_count(const Sweep& sweep) {
   return count;
 }
 
-Task task_of(const Sweep& sweep, std::size_t number) {
-  // The number in mixed radix, the last digit first: seed, last axis, ..., first axis.
-  std::size_t rest = number;
+Task task_of(const Sweep& sweep, std::size_t place) {
+  // The place in mixed radix, the last digit first: seed, last axis, ..., first axis.
+  std::size_t rest = place;
   std::vector<Setting> settings;
   const auto choose = [&](const Axis& axis) {
-    settings.push_back({axis.key, axis.values[rest % axis.values.size()]});
+    const std::vector<AxisValue>& value = axis.values[rest % axis.values.size()];
+    for (std::size_t k = value.size(); k-- > 0;) settings.push_back({axis.keys[k], value[k]});
     rest /= axis.values.size();
   };
   if (!sweep.seeds.values.empty()) choose(sweep.seeds);
   std::for_each(sweep.axes.rbegin(), sweep.axes.rend(), choose);
   std::ranges::reverse(settings);
-  return {number, settings};
+  return {place, settings};
 }
 
 SceneFile scene_of(const Sweep& sweep, const Task& task) {

@@ -17,8 +17,8 @@ struct Setting {
 
 /// A run of a sweep, independent of all other runs.
 struct Task {
-  std::size_t number;             ///< from 0
-  std::vector<Setting> settings;  ///< one for each axis, then the seed if the sweep has seeds
+  std::size_t number;  ///< from 0; gives its folder, and stays when a sweep takes more values
+  std::vector<Setting> settings;  ///< one for each key, then the seed if the sweep has seeds
 
   /// Writes each setting in the form of the command line, `key=value`.
   std::vector<std::string> overrides() const;
@@ -30,9 +30,9 @@ struct Task {
 /// Counts the tasks: the number of combinations times runs_per_combination().
 std::size_t task_count(const Sweep& sweep);
 
-/// Returns the task with a number below task_count(). Tasks that differ only in their seeds have
-/// consecutive numbers.
-Task task_of(const Sweep& sweep, std::size_t number);
+/// Returns the task at a place below task_count(), with this place as its number. Tasks that differ
+/// only in their seeds have consecutive places.
+Task task_of(const Sweep& sweep, std::size_t place);
 
 /// Reads the scene of a task, and checks it as far as is possible without a solve. The function
 /// also checks that the scene defines the quantities to collect, and that several seeds give

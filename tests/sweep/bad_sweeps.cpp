@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "sweep/sweep_folder.hpp"
 #include "sweep_files.hpp"
 
 using namespace stokesbook;
@@ -110,7 +109,35 @@ BOOST_AUTO_TEST_CASE(axes) {
       {axis("name = 'folder'\nvalues = [0.1]\n"),
        "2:1: axes[0]: would give the tables two columns 'folder'; set another name"},
       {axis("values = [0.1]\n") + axis("name = 'dt'\nvalues = [0.2]\n"),
-       "5:1: axes[1]: another axis already sets time.dt"},
+       "5:1: axes[1]: the axes set time.dt twice"},
+  });
+}
+
+BOOST_AUTO_TEST_CASE(tied_axes) {
+  const std::string tied = "[[axes]]\nkey = ['time.dt', 'flow.rate']\n";
+  check({
+      {"[[axes]]\nkey = ['time.dt']\nvalues = [[1]]\n",
+       "3:7: axes[0].key = [\"time.dt\"]: must be one key, or a list of several"},
+      {tied + "name = 'both'\nvalues = [[1, 2]]\n",
+       "4:1: axes[0].name = \"both\": not allowed with a list of keys, which requires values"},
+      {tied + "range = { from = 1, to = 2, count = 2 }\n",
+       "4:1: axes[0].range: not allowed with a list of keys, which requires values"},
+      {tied, "2:1: axes[0]: must hold values or range, not both"},
+      {tied + "values = [[1, 2], [1]]\n",
+       "4:19: axes[0].values[1] = [1]: must be a list of 2 values, one for each key"},
+      {tied + "values = [1, 2]\n",
+       "4:11: axes[0].values[0] = 1: must be a list of 2 values, one for each key, not an integer"},
+      {tied + "values = [[1, 2], [1, 2]]\n",
+       "4:19: axes[0].values[1] = [1, 2]: is repeated in the list"},
+      {"[[axes]]\nkey = ['time.dt', 'seed']\nvalues = [[1, 2]]\n",
+       "3:19: axes[0].key[1] = \"seed\": seeds are not an axis; list them in the key seeds"},
+      {"[[axes]]\nkey = ['time.dt', 3]\nvalues = [[1, 2]]\n",
+       "3:19: axes[0].key[1] = 3: must be a key of the scene, such as \"time.dt\" or "
+       "\"fill.0.area_fraction\", not an integer"},
+      {tied + "values = [[1, 2]]\n" + axis("name = 'other'\nvalues = [3]\n"),
+       "5:1: axes[1]: the axes set time.dt twice"},
+      {tied + "values = [[1, 2], [1, 'fast']]\n",
+       "4:23: flow.rate = \"fast\": must be a number, not a string"},
   });
 }
 

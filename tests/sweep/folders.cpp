@@ -2,7 +2,6 @@
 
 #include "record/atomic_file.hpp"
 #include "record/file_lock.hpp"
-#include "sweep/sweep_folder.hpp"
 #include "sweep_files.hpp"
 
 using namespace stokesbook;
@@ -78,7 +77,8 @@ BOOST_AUTO_TEST_CASE(a_sweep_owns_its_folder) {
   BOOST_TEST(require_all(sweep) == "no error");
 
   const std::string other =
-      "out/tasks.csv: belongs to another sweep, or the scene has changed; choose another --out";
+      "out/tasks.csv: belongs to another sweep, or the scene has changed: the sweep lacks task 1; "
+      "choose another --out";
   const Sweep changed = folder.sweep(axis + "[0.5, 0.125]\n");
   BOOST_TEST(require(changed, 0) == "no error");  // the same task of another sweep is accepted
   BOOST_TEST(require(changed, 1) == other);
@@ -87,6 +87,38 @@ BOOST_AUTO_TEST_CASE(a_sweep_owns_its_folder) {
   const auto open = [&] { open_sweep(out, changed); };
   BOOST_TEST(message_of<RecordError>(folder, open) == other);
   BOOST_TEST(folder.text_of("out/tasks.csv") == manifest(sweep));
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_takes_further_values_and_seeds) {
+  const Folder folder;
+  folder.add_fill();
+  const auto sweep_of = [&](const std::string& seeds, const std::string& values) {
+    return folder.sweep("seeds = " + seeds + "\n[[axes]]\nkey = 'time.dt'\nvalues = " + values +
+                        "\n");
+  };
+  const std::filesystem::path out = folder.path() / "out";
+  const auto numbers_of = [](const std::vector<Task>& tasks) {
+    std::vector<std::size_t> numbers;
+    for (const Task& task : tasks) numbers.push_back(task.number);
+    return numbers;
+  };
+  open_sweep(out, sweep_of("[3, 4]", "[0.5, 0.25]"));
+  const std::string before = folder.text_of("out/tasks.csv");
+  const Sweep grown = sweep_of("[2, 3, 4]", "[1.0, 0.25, 0.5]");
+  const std::string lacking =
+      "out/tasks.csv: lacks tasks of the sweep; run stokes sweep --plan first";
+  BOOST_TEST(message_of<RecordError>(folder, [&] { require_sweep(out, grown); }) == lacking);
+  BOOST_TEST(message_of<RecordError>(folder, [&] { require_task(out, grown, 4); }) == lacking);
+  const std::vector<std::size_t> expected{4, 5, 6, 7, 2, 3, 8, 0, 1};
+  BOOST_TEST(numbers_of(open_sweep(out, grown)) == expected, boost::test_tools::per_element());
+  BOOST_TEST(numbers_of(require_sweep(out, grown)) == expected, boost::test_tools::per_element());
+  BOOST_TEST(folder.text_of("out/tasks.csv").starts_with(before));
+  BOOST_TEST(std::filesystem::is_directory(out / "runs/0008"));
+  const std::vector<std::string> last{"time.dt=0.5", "seed=2"};
+  BOOST_TEST(require_task(out, grown, 8).overrides() == last, boost::test_tools::per_element());
+  BOOST_TEST(message_of<RecordError>(folder, [&] {
+               open_sweep(out, sweep_of("[2, 3]", "[1.0, 0.25, 0.5]"));
+             }).find("the sweep lacks task ") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -24,9 +24,26 @@ void write_run(const Folder& folder, std::size_t task, const std::string& twice)
   folder.write(name + "/rheology.csv", "t,s12\n0,0\n2," + twice + "\n");
 }
 
+std::vector<Task> all_tasks(const Sweep& sweep) {
+  std::vector<Task> tasks;
+  for (std::size_t k = 0; k < task_count(sweep); ++k) tasks.push_back(task_of(sweep, k));
+  return tasks;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(results)
+
+BOOST_AUTO_TEST_CASE(runs_are_found_by_the_numbers_of_their_tasks) {
+  const Folder folder;
+  const Sweep sweep = folder.sweep(sweep_text);
+  std::vector<Task> tasks = all_tasks(sweep);
+  std::swap(tasks[0].number, tasks[5].number);
+  write_run(folder, 5, "2");
+  const std::vector<ResultRow> rows = collect(folder.path(), sweep, tasks);
+  BOOST_TEST(rows[0].runs == 1);
+  BOOST_TEST(rows[1].runs == 0);
+}
 
 BOOST_AUTO_TEST_CASE(runs_that_are_done_count) {
   const Folder folder;
@@ -36,7 +53,7 @@ BOOST_AUTO_TEST_CASE(runs_that_are_done_count) {
   write_run(folder, 2, "12");
   write_run(folder, 4, "14");
   folder.write(TaskFolder::name(3) + "/failure.txt", "no convergence");
-  const std::vector<ResultRow> rows = collect(folder.path(), sweep);
+  const std::vector<ResultRow> rows = collect(folder.path(), sweep, all_tasks(sweep));
   BOOST_TEST(rows.size() == 2U);
   BOOST_TEST(rows[0].runs == 3);
   BOOST_TEST(rows[0].estimates[0].mean == 3.0);
@@ -54,7 +71,7 @@ BOOST_AUTO_TEST_CASE(tables) {
   const Sweep sweep = folder.sweep(sweep_text);
   for (const std::size_t k : {0U, 1U, 2U})
     write_run(folder, k, k == 2 ? "0.40000000000000002" : "0.2");
-  const std::vector<ResultRow> rows = collect(folder.path(), sweep);
+  const std::vector<ResultRow> rows = collect(folder.path(), sweep, all_tasks(sweep));
   const std::string csv = to_csv(sweep, rows);
   // The last digits of the error depend on whether the compiler fuses multiplications and
   // additions.

@@ -9,7 +9,7 @@
 #include <boost/test/unit_test.hpp>
 #include <stdlib.h>
 
-#include "sweep/sweep.hpp"
+#include "sweep/sweep_folder.hpp"
 
 namespace stokesbook::test {
 
@@ -57,6 +57,13 @@ class Folder {
  private:
   std::filesystem::path path_;
 };
+
+/// Opens a sweep in a new folder, and returns its list of tasks.
+inline std::string manifest(const Sweep& sweep) {
+  const Folder folder;
+  open_sweep(folder.path() / "new", sweep);
+  return folder.text_of("new/tasks.csv");
+}
 
 /// Returns the message of an error that an action throws, without the folder, or "no error".
 template <class Error, class Action>

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <set>
 
-#include "sweep/sweep_folder.hpp"
 #include "sweep/task.hpp"
 #include "sweep_files.hpp"
 
@@ -20,7 +19,7 @@ constexpr const char* two_axes =
 
 std::vector<double> numbers(const Axis& axis) {
   std::vector<double> result;
-  for (const AxisValue& value : axis.values) result.push_back(std::stod(value.value));
+  for (const auto& value : axis.values) result.push_back(std::stod(value.at(0).value));
   return result;
 }
 
@@ -56,6 +55,24 @@ BOOST_AUTO_TEST_CASE(scenes_have_the_values) {
   BOOST_TEST(scene_of(no_seeds, task_of(no_seeds, 0)).scene.seed == 7U);
 }
 
+BOOST_AUTO_TEST_CASE(keys_of_one_axis_change_together) {
+  const Folder folder;
+  const Sweep sweep = folder.sweep(
+      "[[axes]]\nkey = ['time.dt', 'flow.rate']\n"
+      "values = [[0.5, 1.0], [0.25, 2.0]]\n"
+      "[[axes]]\nkey = 'solver.tolerance'\nvalues = [1e-3, 1e-4]\n");
+  BOOST_TEST(task_count(sweep) == 4U);
+  const std::vector<std::string> expected{"time.dt=0.25", "flow.rate=2.0",
+                                          "solver.tolerance=0.001"};
+  BOOST_TEST(task_of(sweep, 2).overrides() == expected, boost::test_tools::per_element());
+  const Scene scene = scene_of(sweep, task_of(sweep, 3)).scene;
+  BOOST_TEST(*scene.time->dt == 0.25);
+  BOOST_TEST(std::get<ShearFlow>(scene.flow).rate == 2.0);
+  const std::string text = manifest(sweep);
+  BOOST_TEST(text.starts_with("task,folder,time.dt,flow.rate,solver.tolerance,scene\n"));
+  BOOST_TEST(text.find("\n2,runs/0002,0.25,2.0,0.001,") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(ranges_hold_both_ends) {
   const Folder folder;
   const auto axis = [&](const std::string& range) {
@@ -84,7 +101,7 @@ BOOST_AUTO_TEST_CASE(long_values_are_whole) {
       "[[axes]]\nkey = 'bodies.0.shape'\nvalues = [{ kind = 'nodes', "
       "points = " +
       points + " }]\n");
-  BOOST_TEST(sweep.axes[0].values[0].value == "{ kind = \"nodes\", points = " + points + " }");
+  BOOST_TEST(sweep.axes[0].values[0][0].value == "{ kind = \"nodes\", points = " + points + " }");
   BOOST_TEST(std::get<NodalCurve>(scene_of(sweep, task_of(sweep, 0)).scene.bodies[0].shape)
                  .points.size() == 8);
 }

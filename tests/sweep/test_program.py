@@ -286,6 +286,21 @@ n_nodes = 48
         for how in ["--plan"], ["--task", "0"], ["--collect"]:
             self.assertEqual(sweep(*how).returncode, 0)
 
+    def test_a_grown_sweep_computes_only_what_is_new(self):
+        small = SWEEP.replace("count = 5", "count = 1").replace("values = [2, 3]", "values = [3]")
+        grown = SWEEP.replace("first = 1, count = 5", "first = 0, count = 2")
+        self.write("sweep.toml", small)
+        self.sweep("--out", "a")
+        before = self.done("a")
+        self.assertEqual(len(before), 2)
+        self.write("sweep.toml", grown)
+        self.assertIn("lacks tasks", self.sweep("--out", "a", "--collect", code=3).stderr)
+        self.assertIn("8 tasks, 6 of them to do", self.sweep("--out", "a").stdout)
+        after = self.done("a")
+        self.assertEqual({name: after[name] for name in before}, before)
+        self.sweep("--out", "whole")
+        self.assertEqual(self.results("a"), self.results("whole"))
+
     def test_bad_sweeps_make_nothing(self):
         for old, new, message in (
                 ("seeds =", "seed =", "sweep.toml:3:1: seed: unknown key, did you mean 'seeds'?"),
@@ -321,8 +336,9 @@ n_nodes = 48
         self.sweep("--out", "a", "--plan")
         self.write("scene.toml", SCENE.replace("t_final = 1.0", "t_final = 1.1"))
         for how in [], ["--plan"], ["--task", 0], ["--collect"]:
-            self.assertIn("tasks.csv: belongs to another sweep, or the scene has changed",
-                          self.sweep("--out", "a", *how, code=3).stderr)
+            self.assertRegex(self.sweep("--out", "a", *how, code=3).stderr,
+                             r"tasks\.csv: belongs to another sweep, or the scene has changed: the sweep "
+                             r"lacks task \d+; choose another --out")
         self.write("scene.toml", SCENE)
         # The first task is the same, but some old results would get new labels.
         for old, new in ("to = 1.0", "to = 9.0"), ("count = 5", "count = 2"), ("[2, 3]", "[2, 4]"):
