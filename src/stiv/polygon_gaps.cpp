@@ -44,17 +44,20 @@ struct Placed {
 // Holds the vertex of one polygon with the least signed distance from the other.
 struct NearestVertex {
   double distance;
-  Complex place;  // in the plane
+  Complex place;   // in the plane
+  Complex normal;  // derivative of the distance by the place
 };
 
 NearestVertex nearest_vertex(const Placed& of, const Placed& about, double reach) {
   const RelativeFrame frame = frame_in(of.pose, about.pose);
-  NearestVertex nearest{any_distance, {}};
+  const auto turn = [](const Pose& pose) { return std::polar(1.0, pose.orientation); };
+  NearestVertex nearest{any_distance, {}, {}};
   for (Index i : near_vertices(of.shape.polygon, about.shape.polygon, frame, reach)) {
     const Complex x = of.shape.polygon.vertex(i);
-    const double distance = about.shape.polygon.closest(frame(x), any_distance).distance;
-    if (distance < nearest.distance) {
-      nearest = {distance, of.pose.position + std::polar(1.0, of.pose.orientation) * x};
+    const ClosestPoint closest = about.shape.polygon.closest(frame(x), any_distance);
+    if (closest.distance < nearest.distance) {
+      nearest = {closest.distance, of.pose.position + turn(of.pose) * x,
+                 turn(about.pose) * closest.normal};
     }
   }
   return nearest;
@@ -83,11 +86,13 @@ bool is_circle_far(const Placed& of, const Placed& about, double reach) {
 
 // Returns the gap of a and b; the result is at least `reach` if they are not nearer than `reach`.
 PolygonGap gap_of(const ComponentPair& pair, const Placed& a, const Placed& b, double reach) {
-  if (is_circle_far(a, b, reach)) return {pair.first, pair.second, any_distance, {}};
+  if (is_circle_far(a, b, reach)) return {pair.first, pair.second, any_distance, {}, {}};
   const NearestVertex of_a = nearest_vertex(a, b, reach), of_b = nearest_vertex(b, a, reach);
-  const NearestVertex nearest = of_a.distance <= of_b.distance ? of_a : of_b;
+  const bool is_of_a = of_a.distance <= of_b.distance;
+  const NearestVertex nearest = is_of_a ? of_a : of_b;
   const bool hidden_overlap = nearest.distance > 0.0 && edges_cross(a, b);
-  return {pair.first, pair.second, hidden_overlap ? 0.0 : nearest.distance, nearest.place};
+  return {pair.first, pair.second, hidden_overlap ? 0.0 : nearest.distance, nearest.place,
+          is_of_a ? nearest.normal : -nearest.normal};
 }
 
 }  // namespace

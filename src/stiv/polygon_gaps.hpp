@@ -8,11 +8,12 @@ namespace stokesbook {
 
 /// The gap of two polygons.
 struct PolygonGap {
-  std::size_t a;  ///< one component
-  std::size_t b;  ///< the other component, a < b
-  double gap;     ///< least signed distance of a vertex of one polygon from the other, length; if
-                  ///< they overlap, minus the depth of the deepest vertex, at most 0
-  Complex point;  ///< place of this vertex in the plane, length
+  std::size_t a;   ///< one component
+  std::size_t b;   ///< the other component, a < b
+  double gap;      ///< least signed distance of a vertex of one polygon from the other, length; if
+                   ///< they overlap, minus the depth of the deepest vertex, at most 0
+  Complex point;   ///< place of this vertex in the plane, length
+  Complex normal;  ///< derivative of the gap by the displacement of a, unit
 };
 
 /// Measures the gaps of all pairs of polygons that are nearer to each other than `reach` > 0, at
