@@ -77,6 +77,16 @@ Parametrisation parametrisation(const Shape& shape) {
   return std::visit([](const auto& s) { return parametrise(s); }, shape);
 }
 
+Shape scaled(Shape shape, double factor) {
+  const auto enlarge = [factor](auto& s) {
+    if constexpr (requires { s.radius; }) s.radius *= factor;
+    if constexpr (requires { s.a, s.b; }) s.a *= factor, s.b *= factor;
+    if constexpr (requires { s.points; }) s.points *= factor;
+  };
+  std::visit(enlarge, shape);
+  return shape;
+}
+
 ComplexVector counter_clockwise(const NodalCurve& shape) {
   ComplexVector points = shape.points;
   if (shoelace_area(points) < 0.0) points.reverseInPlace();

@@ -64,6 +64,9 @@ using Parametrisation = std::function<TrigonometricPolynomial::Jet(double)>;
 /// @par Cost  O(1) per point; for a NodalCurve with p points O(p)
 Parametrisation parametrisation(const Shape& shape);
 
+/// Enlarges a shape about its origin by a factor > 0.
+Shape scaled(Shape shape, double factor);
+
 /// Returns the points of a NodalCurve in counter-clockwise order.
 ComplexVector counter_clockwise(const NodalCurve& shape);
 

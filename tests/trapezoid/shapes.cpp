@@ -47,6 +47,15 @@ ComplexVector second_difference(const ComplexVector& f, double h) {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(scaled_shapes_have_scaled_points) {
+  std::vector<Shape> shapes = analytic_shapes;
+  shapes.emplace_back(NodalCurve{sample(Ellipse{2.0, 1.0}, 16, Side::fluid_outside).x, {}});
+  for (const Shape& shape : shapes) {
+    const ComplexVector x = sample(shape, 32, Side::fluid_outside).x;
+    BOOST_TEST(largest(sample(scaled(shape, 1.7), 32, Side::fluid_outside).x - 1.7 * x) < 1e-14);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(derivatives_are_those_of_finite_differences) {
   // The truncation error h^8 f^(9) / 630 is below the rounding errors eps / h and eps / h^2.
   constexpr Index n = 2048;
