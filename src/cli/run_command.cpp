@@ -38,7 +38,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Scene load_scene(const RunOptions& options) {
+FilledScene load_scene(const RunOptions& options) {
   const SceneFile file = read_scene(options.scene, options.overrides);
   if (!options.once && !file.scene.time) {
     throw SceneError(
@@ -46,8 +46,11 @@ Scene load_scene(const RunOptions& options) {
         ": stokes run requires [time] with t_final; use stokes solve for a scene without [time]");
   }
   try {
-    const Scene scene = place_fills(file);
-    return options.from.empty() ? scene : start_from(scene, options.from, options.from_time);
+    FilledScene filled = fill_scene(file);
+    if (!options.from.empty()) {
+      filled.scene = start_from(filled.scene, options.from, options.from_time);
+    }
+    return filled;
   } catch (const std::invalid_argument& error) {
     throw SceneError(options.scene.string() + ": " + error.what());
   }
@@ -186,9 +189,10 @@ long long peak_memory() {
 int run_scene(const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   if (options.threads > 0) omp_set_num_threads(options.threads);
-  const Scene scene = load_scene(options);
+  const auto [scene, placement] = load_scene(options);
   const SuspensionSolver solver(scene);
-  const std::vector<std::string> plan = describe(solver);
+  std::vector<std::string> plan = describe(solver);
+  plan.insert(plan.end(), placement.begin(), placement.end());
   if (!options.quiet) print_plan(scene.title, plan);
   if (options.dry_run) {
     try_first_solve(scene, solver);

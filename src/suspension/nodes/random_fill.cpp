@@ -1,5 +1,6 @@
 // Places the bodies of [[fill]] by random sequential addition: draws poses at random, and takes a
-// pose if the body keeps its clearance from all components placed before (chapter 12).
+// pose if the body keeps its clearance from all components placed before (chapter 12). If there is
+// no room for all bodies, inserts them at half their size, and lets them grow.
 #include "suspension/nodes/random_fill.hpp"
 
 #include <algorithm>
@@ -9,23 +10,43 @@
 #include <random>
 #include <stdexcept>
 
+#include "near_singular/near_field.hpp"
 #include "suspension/bodies/components.hpp"
+#include "suspension/nodes/fill_growth.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "text/number_text.hpp"
+#include "text/word_list.hpp"
 #include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 
 namespace {
 
-// A placed component, and the radius of its bounding circle about its position.
+// A placed component, the radius of its bounding circle about its position, and the largest
+// distance between neighbouring nodes.
 struct Obstacle {
   SmoothCurve curve;
-  double radius;
+  double radius, spacing;
 };
 
 Obstacle make_obstacle(const DiscretisedShape& discretised, const Pose& pose) {
-  return {smooth_curve(discretised, pose), outer_radius(discretised.curve, 0.0)};
+  return {smooth_curve(discretised, pose), outer_radius(discretised.curve, 0.0),
+          weights(discretised.curve).maxCoeff()};
+}
+
+// Returns whether one of eight nodes of a component lies beyond the curve of another, farther than
+// the distance between nodes. Then the tangent at the nearest node separates fluid and body. Most
+// poses in a dense fill fail this test, which is much cheaper than a measurement of the gap.
+bool is_beyond(const Obstacle& obstacle, const Obstacle& other) {
+  const Curve &a = obstacle.curve.nodes, &b = other.curve.nodes;
+  for (Eigen::Index i = 0; i < a.size(); i += a.size() / 8) {
+    const Eigen::Index nearest = nearest_node(b, a.x[i]);
+    const Complex across = a.x[i] - b.x[nearest];
+    if (b.sign() * cross(b.dx[nearest], across) < 0.0 && std::abs(across) > other.spacing) {
+      return true;
+    }
+  }
+  return false;
 }
 
 // Returns the distance of the nearest nodes: an upper bound of the gap, which is much cheaper to
@@ -41,6 +62,10 @@ double node_distance(const Curve& a, const Curve& b) {
 // The components that have been placed so far.
 class Obstacles {
  public:
+  explicit Obstacles(const std::vector<Obstacle>& given) {
+    for (const Obstacle& obstacle : given) add(obstacle);
+  }
+
   void add(Obstacle obstacle) {
     if (obstacle.curve.nodes.side == Side::fluid_inside) {
       enclosing_.push_back(std::move(obstacle));
@@ -52,20 +77,23 @@ class Obstacles {
 
   // Returns whether a body keeps its clearance from all obstacles.
   bool leave_room_for(const Obstacle& body, double clearance) const {
-    const auto is_clear_of = [&](const Obstacle& obstacle) {
-      return node_distance(body.curve.nodes, obstacle.curve.nodes) >= clearance &&
-             closest_points(body.curve, obstacle.curve).gap >= std::max(clearance, 1e-300);
-    };
-    for (const std::size_t k :
-         circles_.meeting(square_about(body.curve.position, body.radius + clearance))) {
-      const Obstacle& other = others_[k];
-      const double distance = std::abs(body.curve.position - other.curve.position);
-      if (distance > body.radius + other.radius + clearance) continue;
-      if (!is_clear_of(other)) return false;
-    }
     // The bounding circle of an enclosing wall gives no bound of its gap to a body inside, so that
     // all of these walls are tested.
-    return std::ranges::all_of(enclosing_, is_clear_of);
+    std::vector<const Obstacle*> near;
+    for (const Obstacle& wall : enclosing_) near.push_back(&wall);
+    for (const std::size_t k :
+         circles_.meeting(square_about(body.curve.position, body.radius + clearance))) {
+      const double distance = std::abs(body.curve.position - others_[k].curve.position);
+      if (distance <= body.radius + others_[k].radius + clearance) near.push_back(&others_[k]);
+    }
+    const auto may_be_clear = [&](const Obstacle* other) {
+      return !is_beyond(body, *other) && !is_beyond(*other, body);
+    };
+    const auto is_clear = [&](const Obstacle* other) {
+      return node_distance(body.curve.nodes, other->curve.nodes) >= clearance &&
+             closest_points(body.curve, other->curve).gap >= std::max(clearance, 1e-300);
+    };
+    return std::ranges::all_of(near, may_be_clear) && std::ranges::all_of(near, is_clear);
   }
 
  private:
@@ -119,27 +147,21 @@ long count_of(const Fill& fill, double region_area, double body_area) {
   return std::lround(bodies);
 }
 
-// Returns the bodies of a fill, and adds them to the obstacles.
-std::vector<Body> place_bodies(const Fill& fill, const DiscretisedShape& discretised,
-                               const Region& region, std::mt19937_64& random,
-                               Obstacles& obstacles) {
+// Returns `count` bodies of a fill, and adds them to the obstacles. Returns fewer bodies if no room
+// was found for the next one.
+std::vector<Body> insert_bodies(const Fill& fill, std::ptrdiff_t count,
+                                const DiscretisedShape& discretised, const Rectangle& box,
+                                std::mt19937_64& random, Obstacles& obstacles) {
   constexpr int most_attempts = 20000;  // for each body
-  const auto& [lower, upper] = region.box;
-  const long count = count_of(fill, region.area, area(discretised.curve));
+  const auto& [lower, upper] = box;
   std::vector<Body> bodies;
   int attempts = 0;
-  while (static_cast<long>(bodies.size()) < count) {
-    if (++attempts > most_attempts) {
-      throw std::invalid_argument("[[fill]]: found room for " + std::to_string(bodies.size()) +
-                                  " of " + std::to_string(count) +
-                                  " bodies; lower area_fraction, count or clearance, or change "
-                                  "the seed");
-    }
+  while (std::ssize(bodies) < count && ++attempts <= most_attempts) {
     const Complex position{uniform(random, lower.real(), upper.real()),
                            uniform(random, lower.imag(), upper.imag())};
     const double orientation = uniform(random, 0.0, 2.0 * std::numbers::pi);
     const Obstacle body = make_obstacle(discretised, {position, orientation});
-    if (fill.box && !contains(region.box, body.curve.nodes)) continue;
+    if (fill.box && !contains(box, body.curve.nodes)) continue;
     if (!obstacles.leave_room_for(body, fill.clearance)) continue;
     obstacles.add(body);
     bodies.push_back({fill.shape, position, orientation, {}, 0.0, false, {}, 0.0, fill.n_nodes});
@@ -150,36 +172,83 @@ std::vector<Body> place_bodies(const Fill& fill, const DiscretisedShape& discret
 
 }  // namespace
 
-Scene place_fills(const SceneFile& file) {
-  Scene filled = file.scene;
+FilledScene fill_scene(const SceneFile& file) {
+  FilledScene filled{file.scene, {}};
   if (file.fills.empty()) return filled;
   DiscretisationCache cache({}, 16);
   const auto discretise = [&](const Shape& shape, int n_nodes, ComponentKind kind,
                               const std::string& name) {
-    const int nodes = own_nodes(shape, n_nodes, side_of(kind), filled.solver.tolerance, name);
+    const int nodes = own_nodes(shape, n_nodes, side_of(kind), file.scene.solver.tolerance, name);
     return cache.get(shape, {nodes}, kind);
   };
-  Obstacles obstacles;
+  std::vector<Obstacle> given;
   Region fluid;  // inside the enclosing wall, without the areas of inner walls
   for (std::size_t k = 0; k < count_components(file.scene).all(); ++k) {
     const ComponentView component = component_of(file.scene, k);
     const auto discretised =
         discretise(component.shape, component.n_nodes, component.kind, component.name());
-    const Obstacle obstacle = make_obstacle(*discretised, component.start);
-    obstacles.add(obstacle);
+    given.push_back(make_obstacle(*discretised, component.start));
     if (component.wall == nullptr) continue;
-    const Curve& wall = obstacle.curve.nodes;
+    const Curve& wall = given.back().curve.nodes;
     fluid.area += wall.sign() * area(wall);
     if (wall.side == Side::fluid_inside) fluid.box = bounding_rectangle(wall.x);
   }
-  std::mt19937_64 random(filled.seed);
+  std::vector<const Fill*> fill_of;  // the fill of each body
+  std::vector<double> fractions;     // the area fraction of each fill
   for (const Fill& fill : file.fills) {
     const auto discretised =
         discretise(fill.shape, fill.n_nodes, ComponentKind::free_body, "[[fill]]");
-    const auto bodies = place_bodies(fill, *discretised, region_of(fill, fluid), random, obstacles);
-    filled.bodies.insert(filled.bodies.end(), bodies.begin(), bodies.end());
+    const double region_area = region_of(fill, fluid).area, body_area = area(discretised->curve);
+    const long count = count_of(fill, region_area, body_area);
+    fill_of.insert(fill_of.end(), static_cast<std::size_t>(count), &fill);
+    fractions.push_back(static_cast<double>(count) * body_area / region_area);
   }
+  // Inserts bodies at a part of their size, up to the first body for which no room is found.
+  const auto insert = [&](double size) {
+    Obstacles obstacles(given);
+    std::mt19937_64 random(file.scene.seed);
+    std::vector<Body> bodies;
+    for (const Fill& fill : file.fills) {
+      const auto count = std::ranges::count(fill_of, &fill);
+      Fill part = fill;
+      part.shape = scaled(fill.shape, size);
+      part.clearance = size * fill.clearance;
+      const auto discretised =
+          discretise(part.shape, fill.n_nodes, ComponentKind::free_body, "[[fill]]");
+      const std::vector<Body> inserted =
+          insert_bodies(part, count, *discretised, region_of(fill, fluid).box, random, obstacles);
+      bodies.insert(bodies.end(), inserted.begin(), inserted.end());
+      if (std::ssize(inserted) < count) break;
+    }
+    return bodies;
+  };
+  std::vector<Body> placed = insert(1.0);
+  if (placed.size() < fill_of.size()) {
+    filled.plan = {"fill: " + std::to_string(fill_of.size()) +
+                   " bodies grew from half their size and were moved apart, since random "
+                   "insertion found room for " +
+                   std::to_string(placed.size())};
+    GrowingBodies growing{0.5, insert(0.5)};
+    const double part =
+        static_cast<double>(growing.bodies.size()) / static_cast<double>(fill_of.size());
+    if (part == 1.0) growing = grow_bodies(file.scene, fill_of, std::move(growing));
+    if (growing.size < 1.0) {
+      const auto reached = [&](double fraction) {
+        return short_number(part * growing.size * growing.size * fraction) + " of " +
+               short_number(fraction);
+      };
+      throw std::invalid_argument("[[fill]]: found room for an area fraction of " +
+                                  joined(fractions, " and ", reached) +
+                                  "; lower area_fraction, count or clearance");
+    }
+    placed = std::move(growing.bodies);
+  }
+  filled.scene.bodies.insert(filled.scene.bodies.end(), placed.begin(), placed.end());
   return filled;
+}
+
+Scene place_fills(const SceneFile& file) {
+  return fill_scene(file).scene;
 }
 
 }  // namespace stokesbook
