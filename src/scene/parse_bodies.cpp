@@ -133,9 +133,28 @@ std::optional<std::array<double, 4>> read_region(const TableReader& fill, bool e
   return std::nullopt;
 }
 
-Fill read_fill(const Node& node, const std::filesystem::path& directory, bool enclosed) {
-  const TableReader table(node,
-                          {"shape", "area_fraction", "count", "region", "clearance", "n_nodes"});
+/// Reads the sizes and shares of a fill's bodies, and makes one fill for each size.
+std::vector<Fill> split_by_size(const Node& list, const Fill& fill) {
+  const std::string expected = "a list of one or more sizes and shares, [[size, share], ...]";
+  std::vector<Fill> fills;
+  double areas = 0.0;
+  for (const Node& element : elements_of(list, expected)) {
+    const Complex pair = read(element, semi_axes);
+    const double size = pair.real(), area = pair.imag() * size * size;
+    areas += area;
+    Fill& part = fills.emplace_back(fill);
+    part.shape = scaled(fill.shape, size);
+    part.area_fraction = area * *fill.area_fraction;
+  }
+  if (fills.empty()) fail(list, "must be " + expected);
+  for (Fill& part : fills) *part.area_fraction /= areas;
+  return fills;
+}
+
+std::vector<Fill> read_fill(const Node& node, const std::filesystem::path& directory,
+                            bool enclosed) {
+  const TableReader table(
+      node, {"shape", "sizes", "area_fraction", "count", "region", "clearance", "n_nodes"});
   Fill fill;
   fill.shape = read_shape(table, directory);
   fill.area_fraction = table.get("area_fraction", proper_fraction);
@@ -143,10 +162,12 @@ Fill read_fill(const Node& node, const std::filesystem::path& directory, bool en
   if (fill.area_fraction.has_value() == fill.count.has_value()) {
     fail(node, "must hold area_fraction or count, and not both");
   }
+  if (fill.count) table.refuse({"sizes"}, "sizes require area_fraction; remove count");
   fill.box = read_region(table, enclosed);
   fill.clearance = table.get("clearance", gap, fill.clearance);
   fill.n_nodes = read_node_count(table);
-  return fill;
+  const Node* sizes = table.find("sizes");
+  return sizes ? split_by_size(*sizes, fill) : std::vector{fill};
 }
 
 }  // namespace
@@ -178,7 +199,7 @@ std::vector<Fill> read_fills(const TableReader& root, const std::filesystem::pat
                              bool enclosed) {
   std::vector<Fill> fills;
   for (const Node& node : root.tables("fill")) {
-    fills.push_back(read_fill(node, directory, enclosed));
+    std::ranges::move(read_fill(node, directory, enclosed), std::back_inserter(fills));
   }
   return fills;
 }

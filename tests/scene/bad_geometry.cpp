@@ -182,8 +182,17 @@ BOOST_AUTO_TEST_CASE(fills) {
       {tank() + fill("count = 5\nclearance = -0.1\n"),
        "s.toml:9:13: fill[0].clearance = -0.1: must be a number >= 0"},
       {tank() + fill("count = 5\nposition = [0, 0]\n"),
-       "s.toml:9:1: fill[0].position = [0, 0]: unknown key; valid keys: shape, area_fraction, "
-       "count, region, clearance, n_nodes"},
+       "s.toml:9:1: fill[0].position = [0, 0]: unknown key; valid keys: shape, sizes, "
+       "area_fraction, count, region, clearance, n_nodes"},
+      {tank() + fill("area_fraction = 0.5\nsizes = [1.0, 2.0]\n"),
+       "s.toml:9:10: fill[0].sizes[0] = 1.0: must be two numbers > 0, not a float"},
+      {tank() + fill("area_fraction = 0.5\nsizes = [[1.0, 0.0]]\n"),
+       "s.toml:9:10: fill[0].sizes[0] = [1.0, 0.0]: must be two numbers > 0"},
+      {tank() + fill("area_fraction = 0.5\nsizes = []\n"),
+       "s.toml:9:9: fill[0].sizes = []: must be a list of one or more sizes and shares, [[size, "
+       "share], ...]"},
+      {tank() + fill("count = 5\nsizes = [[1.0, 1.0]]\n"),
+       "s.toml:9:1: fill[0].sizes = [[1.0, 1.0]]: sizes require area_fraction; remove count"},
       {tank() + "[[fill]]\nshape = { kind = 'circle', radius = 1 }\ncount = 5\n",
        "s.toml:5:1: fill[0].n_nodes is missing: must be an even integer >= 8 or \"auto\""},
       {tank() + "[[fill]]\ncount = 5\nn_nodes = 32\n",

@@ -177,6 +177,30 @@ BOOST_AUTO_TEST_CASE(fills) {
               std::vector{anywhere}));
 }
 
+BOOST_AUTO_TEST_CASE(fills_of_several_sizes) {
+  const auto fills_of = [](const std::string& shape, const std::string& lines) {
+    return parse_file(tank() + "[[fill]]\nshape = " + shape + "\nn_nodes = 16\n" + lines).fills;
+  };
+  const Fill small{.shape = Ellipse{0.5, 0.25}, .n_nodes = 16};
+  Fill large = small;
+  large.shape = Ellipse{1.0, 0.5};
+  std::vector<Fill> both{small, large};
+  const std::string ellipse = "{ kind = 'ellipse', semi_axes = [0.5, 0.25] }";
+  // Shares are of the number of bodies: three of four bodies have 3 / (3 + 4) of the area.
+  both[0].area_fraction = 0.7 * 3.0 / 7.0;
+  both[1].area_fraction = 0.7 * 4.0 / 7.0;
+  const auto found = fills_of(ellipse, "area_fraction = 0.7\nsizes = [[1.0, 0.75], [2.0, 0.25]]\n");
+  BOOST_REQUIRE(found.size() == 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    BOOST_TEST(std::abs(*found[k].area_fraction - *both[k].area_fraction) < 1e-15);
+    both[k].area_fraction = found[k].area_fraction;
+  }
+  BOOST_TEST((found == both));
+  BOOST_TEST((fills_of("{ kind = 'star', radius = 1, amplitude = 0.1, arms = 3 }",
+                       "area_fraction = 0.1\nsizes = [[2.0, 5.0]]\n")[0]
+                  .shape == Shape{Star{2.0, 0.1, 3}}));
+}
+
 BOOST_AUTO_TEST_CASE(solver_settings) {
   BOOST_TEST(solver("tolerance = 1e-14").tolerance == 1e-14);
   BOOST_TEST(solver("tolerance = 0.1").tolerance == 0.1);
