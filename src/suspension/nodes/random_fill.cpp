@@ -224,7 +224,7 @@ FilledScene fill_scene(const SceneFile& file) {
   };
   std::vector<Body> placed = insert(1.0);
   if (placed.size() < fill_of.size()) {
-    filled.plan = {"fill: " + std::to_string(fill_of.size()) +
+    filled.plan = {"fill             " + std::to_string(fill_of.size()) +
                    " bodies grew from half their size and were moved apart, since random "
                    "insertion found room for " +
                    std::to_string(placed.size())};
