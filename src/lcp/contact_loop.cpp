@@ -36,17 +36,20 @@ struct LinearisedGap {
 // The linearised gaps of a linear problem. Each point has one gap, from its latest linearisation.
 using LinearisedGaps = std::map<ContactKey, LinearisedGap>;
 
-void require_valid(const ContactStep& step) {
-  if (!(step.dt > 0.0) || !(step.tolerance > 0.0)) {
-    std::ostringstream message;
-    message << "the contact loop requires a time step and a tolerance > 0, not " << step.dt
-            << " and " << step.tolerance;
-    throw std::invalid_argument(message.str());
-  }
+// Joins texts and numbers.
+std::string joined(const auto&... parts) {
+  std::ostringstream text;
+  (text << ... << parts);
+  return text.str();
+}
+
+// Throws std::invalid_argument with a message unless a condition is met.
+void require(bool is_met, const auto&... message) {
+  if (!is_met) throw std::invalid_argument(joined(message...));
 }
 
 std::string contact_point(const ContactKey& key) {
-  return "contact " + std::to_string(key.contact) + ", point " + std::to_string(key.point);
+  return joined("contact ", key.contact, ", point ", key.point);
 }
 
 // Evaluates the rows at a velocity, and checks their sizes.
@@ -57,14 +60,10 @@ ContactRows evaluate_rows(const ContactStep& step, const VectorXd& velocity) {
   const auto fits = [&](const GapGradient& gradient) {
     return gradient.rows() == m && (m == 0 || gradient.cols() == n);
   };
-  if (!fits(rows.gradient) || !fits(rows.force_gradient) ||
-      static_cast<Index>(rows.keys.size()) != m) {
-    std::ostringstream message;
-    message << m << " gaps have gradients of " << rows.gradient.rows() << " x "
-            << rows.gradient.cols() << " (forces " << rows.force_gradient.rows() << " x "
-            << rows.force_gradient.cols() << ") and " << rows.keys.size() << " keys";
-    throw std::invalid_argument(message.str());
-  }
+  require(fits(rows.gradient) && fits(rows.force_gradient) && std::ssize(rows.keys) == m, m,
+          " gaps have gradients of ", rows.gradient.rows(), " x ", rows.gradient.cols(),
+          " (forces ", rows.force_gradient.rows(), " x ", rows.force_gradient.cols(), ") and ",
+          rows.keys.size(), " keys");
   for (Index i = 0; i < m; ++i) {
     if (std::isfinite(rows.gap[i])) continue;
     throw std::domain_error("the gap of " + contact_point(rows.keys[static_cast<std::size_t>(i)]) +
@@ -81,9 +80,7 @@ LinearisedGaps linearise(const ContactRows& rows, const VectorXd& velocity, doub
     const ContactKey key = rows.keys[static_cast<std::size_t>(i)];
     const LinearisedGap gap{rows.gap[i], clearance[i], rows.gradient.row(i),
                             rows.force_gradient.row(i)};
-    if (!gaps.emplace(key, gap).second) {
-      throw std::invalid_argument("two rows have the same key: " + contact_point(key));
-    }
+    require(gaps.emplace(key, gap).second, "two rows have the same key: ", contact_point(key));
   }
   return gaps;
 }
@@ -116,25 +113,11 @@ LinearProblem assemble_problem(const LinearisedGaps& gaps, const ContactStep& st
     ++i;
   }
   problem.velocities = step.respond(problem.force_gradient.transpose());
-  if (problem.velocities.rows() != n || problem.velocities.cols() != m) {
-    std::ostringstream message;
-    message << "respond() returned " << problem.velocities.rows() << " x "
-            << problem.velocities.cols() << " velocities for " << n << " x " << m << " forces";
-    throw std::invalid_argument(message.str());
-  }
+  require(problem.velocities.rows() == n && problem.velocities.cols() == m, "respond() returned ",
+          problem.velocities.rows(), " x ", problem.velocities.cols(), " velocities for ", n, " x ",
+          m, " forces");
   problem.matrix = step.dt * (problem.gradient * problem.velocities);
   return problem;
-}
-
-// Returns the multipliers of an earlier iteration for keys that occur there, zero for all others.
-// Keys ascend, here and there.
-VectorXd match_multipliers(const ContactResult& earlier, const std::vector<ContactKey>& keys) {
-  return VectorXd::NullaryExpr(std::ssize(keys), [&](Index i) {
-    const ContactKey& key = keys[static_cast<std::size_t>(i)];
-    const auto known = std::ranges::lower_bound(earlier.keys, key);
-    const bool is_new = known == earlier.keys.end() || *known != key;
-    return is_new ? 0.0 : earlier.multipliers[known - earlier.keys.begin()];
-  });
 }
 
 // Returns for each key the least gap of its contact among the current rows; infinity if the contact
@@ -191,7 +174,10 @@ class ContactLoop {
         ended = !apply(assemble_problem(gaps, step_)) || is_finished();
       } while (ended && is_refined());
     }
-    if (!ended) give_up(ContactStatus::not_converged, describe_violated_rows());
+    if (!ended) {
+      give_up(ContactStatus::not_converged, "the separation is violated after ", result_.iterations,
+              " iterations: ", list_violated_rows());
+    }
     return result_;
   }
 
@@ -235,7 +221,6 @@ class ContactLoop {
   // Solves the linear problem for lambda, and moves to U = U* + B J_f^T lambda. Returns false if it
   // was not solved.
   bool apply(const LinearProblem& problem) {
-    const VectorXd guess = match_multipliers(result_, problem.keys);
     result_.keys = problem.keys;
     result_.force_gradient = problem.force_gradient;
     result_.response = problem.matrix.diagonal();
@@ -244,12 +229,17 @@ class ContactLoop {
     result_.columns += static_cast<int>(problem.keys.size());
     for (Index i = 0; i < result_.response.size(); ++i) {
       if (result_.response[i] > 0.0) continue;
-      give_up(ContactStatus::response_not_seen, describe_unresponsive_row(i));
+      give_up(ContactStatus::response_not_seen, name_row(i), ": a unit force opens its own gap by ",
+              result_.response[i],
+              ", which must be positive: the quadrature does not resolve the gap (add nodes), or "
+              "neither body can move there");
       return false;
     }
-    const LcpResult solution = solve(problem, guess);
+    const LcpResult solution = solve(problem);
     if (solution.status != LcpStatus::solved) {
-      give_up(ContactStatus::no_linear_solution, describe_unsolved_problem(solution));
+      give_up(ContactStatus::no_linear_solution, "the linear problem of iteration ",
+              result_.iterations, " with ", result_.keys.size(),
+              " rows was not solved, its residual is ", solution.residual, ": ", list_responses());
       return false;
     }
     result_.multipliers = solution.z;
@@ -260,18 +250,17 @@ class ContactLoop {
   }
 
   // Solves (11.10) with the offset b = c + dt J U*.
-  LcpResult solve(const LinearProblem& problem, const VectorXd& guess) {
+  LcpResult solve(const LinearProblem& problem) {
     const VectorXd free_opening = step_.dt * (problem.gradient * step_.free_velocity);
-    const LcpOptions options{.guess = guess};
     LcpProblem lcp{problem.matrix, problem.clearance + free_opening};
-    LcpResult solution = options_.solver(lcp, options);
+    LcpResult solution = options_.solver(lcp, {});
     // No solution: some c < 0 is an error of the linearisation. Replace c by max(c, 0).
     if (solution.status == LcpStatus::ray) {
       ++result_.rays;
       lcp.offset = problem.clearance.cwiseMax(0.0) + free_opening;
-      solution = options_.solver(lcp, options);
+      solution = options_.solver(lcp, {});
     }
-    return solution.status == LcpStatus::solved ? solution : fischer_newton(lcp, options);
+    return solution.status == LcpStatus::solved ? solution : fischer_newton(lcp);
   }
 
   // Returns whether the loop ends: contact is resolved, or a force acts across an open gap. A gap
@@ -286,73 +275,53 @@ class ContactLoop {
     const bool closed = open <= step_.tolerance;
     if (!closed && result_.iterations < last) return false;
     if (!closed && open > options_.open_gap * step_.separation) {
-      give_up(ContactStatus::open_gap, describe_force_across_gap(widest));
+      give_up(ContactStatus::open_gap, name_row(widest), ": the force ",
+              result_.multipliers[widest], " acts across ",
+              std::isinf(open) ? "a contact that has no row any more"
+                               : joined("a gap of ", open, " beyond the separation"),
+              " after ", result_.iterations, " iterations; a unit force opens it by ",
+              result_.response[widest]);
     } else {
       result_.status = ContactStatus::resolved;
     }
     return true;
   }
 
-  void give_up(ContactStatus status, std::string reason) {
+  void give_up(ContactStatus status, const auto&... reason) {
     result_.status = status;
-    result_.reason = std::move(reason);
+    result_.reason = joined(reason...);
   }
 
-  std::string describe_unresponsive_row(Index i) const {
-    std::ostringstream reason;
-    reason << name_(result_.keys[static_cast<std::size_t>(i)])
-           << ": a unit force opens its own gap by " << result_.response[i]
-           << ", which must be positive: the quadrature does not resolve the gap (add nodes), or "
-              "neither body can move there";
-    return reason.str();
-  }
+  std::string name_row(Index i) const { return name_(result_.keys[static_cast<std::size_t>(i)]); }
 
-  std::string describe_unsolved_problem(const LcpResult& solution) const {
-    std::ostringstream reason;
-    reason << "the linear problem of iteration " << result_.iterations << " with "
-           << result_.keys.size() << " rows was not solved, its residual is " << solution.residual
-           << ":";
+  // Lists all rows, and by how much their own forces open them.
+  std::string list_responses() const {
+    std::string list;
     for (Index i = 0; i < result_.response.size(); ++i) {
-      reason << (i == 0 ? " " : ", ") << name_(result_.keys[static_cast<std::size_t>(i)])
-             << " (a unit force opens its own gap by " << result_.response[i] << ")";
+      list += joined(i == 0 ? "" : ", ", name_row(i), " (a unit force opens its own gap by ",
+                     result_.response[i], ")");
     }
-    return reason.str();
+    return list;
   }
 
-  std::string describe_force_across_gap(Index i) const {
-    std::ostringstream reason;
-    reason << name_(result_.keys[static_cast<std::size_t>(i)]) << ": the force "
-           << result_.multipliers[i] << " acts across ";
-    if (std::isinf(result_.gaps[i])) {
-      reason << "a contact that has no row any more";
-    } else {
-      reason << "a gap of " << result_.gaps[i] << " beyond the separation";
-    }
-    reason << " after " << result_.iterations << " iterations; a unit force opens it by "
-           << result_.response[i];
-    return reason.str();
-  }
-
-  // Names the deepest row of each contact that is violated.
-  std::string describe_violated_rows() const {
+  // Lists the deepest row of each contact that is violated.
+  std::string list_violated_rows() const {
     std::map<std::int64_t, Index> worst;  // row with the least gap, for each contact
     for (Index i = 0; i < rows_.gap.size(); ++i) {
       if (rows_.gap[i] >= -step_.tolerance) continue;
       const auto [row, first] = worst.emplace(rows_.keys[static_cast<std::size_t>(i)].contact, i);
       if (!first && rows_.gap[i] < rows_.gap[row->second]) row->second = i;
     }
-    std::ostringstream reason;
-    reason << "the separation is violated after " << result_.iterations << " iterations:";
-    const char* before = " ";
+    std::string list;
     for (const auto& [contact, row] : worst) {
       const ContactKey& key = rows_.keys[static_cast<std::size_t>(row)];
-      reason << std::exchange(before, ", ") << name_(key) << " by " << -rows_.gap[row];
+      list += joined(list.empty() ? "" : ", ", name_(key), " by ", -rows_.gap[row]);
       const auto known = std::ranges::find(result_.keys, key);
       if (known == result_.keys.end()) continue;
-      reason << " (a unit force opens it by " << result_.response[known - result_.keys.begin()]
-             << ")";
+      list += joined(" (a unit force opens it by ", result_.response[known - result_.keys.begin()],
+                     ")");
     }
-    return reason.str();
+    return list;
   }
 
   const ContactStep& step_;
@@ -367,7 +336,9 @@ class ContactLoop {
 }  // namespace
 
 ContactResult resolve_contact(const ContactStep& step, const ContactLoopOptions& options) {
-  require_valid(step);
+  require(step.dt > 0.0 && step.tolerance > 0.0,
+          "the contact loop requires a time step and a tolerance > 0, not ", step.dt, " and ",
+          step.tolerance);
   return ContactLoop(step, options).run();
 }
 
