@@ -4,8 +4,8 @@
 #include <complex>
 
 #include "experiments.hpp"
+#include "scenes.hpp"
 #include "support/recorded_run.hpp"
-#include "suspension/nodes/random_fill.hpp"
 
 namespace stokesbook::verification::suspension {
 
@@ -14,32 +14,17 @@ using namespace test;
 
 namespace {
 
-constexpr double half_length = 0.3;  // of the ellipses
-
-/// Returns a circular container with ellipses at random places.
-Scene container(Size size) {
-  const bool full = size == Size::full;
-  Scene scene;
-  scene.walls.push_back({.role = WallRole::outer, .shape = Circle{full ? 4.0 : 1.2}});
-  scene.contact = ContactSettings{0.01};
-  scene.solver.tolerance = 1e-3;
-  scene.seed = 3;
-  const Fill ellipses{
-      .shape = Ellipse{half_length, 0.12}, .count = full ? 120 : 10, .clearance = 0.02};
-  return place_fills({scene, {ellipses}});
-}
-
 /// Measures a run whose container turns at a rate: the largest distance of a body from its place
 /// after a rotation at the rate 1, over half its length.
 Measurement turned(Size size, const TimeSettings& time, double x, double rate) {
-  Scene scene = container(size);
-  scene.walls.front().motion = RotatingWall{rate};
+  Scene scene = turning_ellipses(size, rate);
   scene.time = time;
   scene.time->t_final = size == Size::full ? 1.0 : 0.3;
   scene.output.dt_write = scene.time->t_final;
   const RecordedRun run = recorded_run(scene);
   const std::vector<BodyState>&start = run.frames.front().bodies, &end = run.frames.back().bodies;
   const Complex rotation = std::polar(1.0, scene.time->t_final);
+  const double half_length = std::get<Ellipse>(scene.bodies.front().shape).a;
   Measurement measurement{.x = x, .operations = 0.0};
   for (std::size_t k = 0; k < start.size(); ++k) {
     const double distance = std::abs(end[k].position - rotation * start[k].position);

@@ -21,6 +21,7 @@ study::Experiment holding_steps();
 study::Experiment contact_orders();
 study::Experiment resting();
 study::Experiment contact_turning();
+study::Experiment contact_price();
 study::Experiment cost_of_contact();
 study::Experiment random_crowds();
 study::Experiment taylor_green_in_contact();

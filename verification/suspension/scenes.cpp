@@ -108,6 +108,18 @@ const Scene& shipped_crowd() {
   return crowd;
 }
 
+Scene turning_ellipses(study::Size size, double rate) {
+  const bool full = size == study::Size::full;
+  Scene scene;
+  scene.walls.push_back(
+      {.role = WallRole::outer, .shape = Circle{full ? 4.0 : 1.2}, .motion = RotatingWall{rate}});
+  scene.contact = ContactSettings{0.01};
+  scene.solver.tolerance = 1e-3;
+  scene.seed = 3;
+  const Fill ellipses{.shape = Ellipse{0.3, 0.12}, .count = full ? 120 : 10, .clearance = 0.02};
+  return place_fills({scene, {ellipses}});
+}
+
 Scene with_nodes(Scene scene, int a_body, int a_wall) {
   for (Body& body : scene.bodies) body.n_nodes = a_body;
   for (Wall& wall : scene.walls) wall.n_nodes = a_wall;

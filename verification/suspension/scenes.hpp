@@ -4,6 +4,7 @@
 #include <random>
 #include <string>
 
+#include "study/study.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/solver.hpp"
 #include "suspension/system/error_estimate.hpp"
@@ -28,6 +29,10 @@ Scene shipped_scene(const std::string& name);
 /// Returns the crowd in extension of chapter 12 with its ellipses in place. All ellipses are equal,
 /// and the strain has the rate 1 along x.
 const Scene& shipped_crowd();
+
+/// Returns 120 ellipses at random places in a circular container that turns at a rate, 10 in the
+/// quick size. The separation is 0.01.
+Scene turning_ellipses(study::Size size, double rate = 1.0);
 
 /// Sets the numbers of nodes of all bodies and of all walls.
 Scene with_nodes(Scene scene, int a_body, int a_wall);

@@ -28,6 +28,7 @@ study::Study suspension_study() {
                       contact_orders(),
                       resting(),
                       contact_turning(),
+                      contact_price(),
                       cost_of_contact(),
                       random_crowds(),
                       taylor_green_in_contact(),
