@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(tightened_columns_resolve_trapped_fluid) {
   const auto softest = [](const TrappedFluid& trapped, bool tightened) {
     const SuspensionSolver solver(trapped.scene);
     ContactMobility respond(solver, solver.solve(solver.start()));
-    if (tightened) BOOST_TEST(respond.tighten());
+    while (tightened && respond.tighten()) continue;
     return scaled_eigenvalues(trapped.loads.transpose() * respond(trapped.loads))[0];
   };
   for (const double gap : {1e-3, 2e-3, 4e-3}) {
