@@ -51,7 +51,7 @@ void check_unique_motions(const Scene& scene, double pitch, Index contacts, doub
   const double room = pitch - 2.0 - scene.contact->minimum_separation;
   const SuspensionSolver solver(scene);
   const Configuration start = solver.start().configuration;
-  const Solution free = solver.solve({start});
+  const Solution free = solver.solve(solver.instant(start));
   const Forces forces = forces_between(bodies, pitch);
   BOOST_REQUIRE(forces.cols() == contacts);
   ContactMobility respond(solver, free);

@@ -53,7 +53,7 @@ struct Chain {
   }
 
   MatrixXd exact(const Configuration& configuration, const Loads& loads) const {
-    ContactMobility mobility(solver, solver.solve({configuration}));
+    ContactMobility mobility(solver, solver.solve(solver.instant(configuration)));
     mobility.tighten();
     return mobility(loads);
   }
@@ -88,14 +88,15 @@ struct TrappedFluid {
 
 BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
   const Chain chain;
-  ContactMobility before(chain.solver, chain.solver.solve({chain.start}));
+  ContactMobility before(chain.solver, chain.solver.solve(chain.solver.instant(chain.start)));
   before(pushes(chain.start, 0.0));
   BOOST_TEST(before.solves() == 4);
   BOOST_TEST(before.cost().gmres_iterations >= 4);
   BOOST_TEST(before.cost().matvecs >= before.cost().gmres_iterations);
   const Configuration moved = chain.moved();
   const Loads loads = pushes(moved, 0.0);
-  ContactMobility now(chain.solver, chain.solver.solve({moved}), before.columns());
+  ContactMobility now(chain.solver, chain.solver.solve(chain.solver.instant(moved)),
+                      before.columns());
   now(loads);
   BOOST_TEST(now.solves() == 0);
   const VectorXd weights{{3e3, 1e3, 2e3, 5e2}};  // the resulting flow is stronger than the shear
@@ -112,7 +113,7 @@ BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
 // If the whole configuration turns rigidly, the loads and the velocities turn with it.
 BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
   const Chain chain;
-  ContactMobility before(chain.solver, chain.solver.solve({chain.start}));
+  ContactMobility before(chain.solver, chain.solver.solve(chain.solver.instant(chain.start)));
   MatrixXd expected = before(pushes(chain.start, 0.0));
   const double turn = 0.5;
   Configuration turned = chain.start;
@@ -120,7 +121,8 @@ BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
     pose.position *= std::polar(1.0, turn);
     pose.orientation += turn;
   }
-  ContactMobility now(chain.solver, chain.solver.solve({turned}), before.columns());
+  ContactMobility now(chain.solver, chain.solver.solve(chain.solver.instant(turned)),
+                      before.columns());
   const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
   for (Index k = 0; k < 5; ++k) {
     expected.middleRows<2>(3 * k) = (rotation * expected.middleRows<2>(3 * k)).eval();
@@ -131,7 +133,7 @@ BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
 
 BOOST_AUTO_TEST_CASE(loads_that_have_turned_are_solved_for) {
   const Chain chain;
-  const Solution solution = chain.solver.solve({chain.start});
+  const Solution solution = chain.solver.solve(chain.solver.instant(chain.start));
   ContactMobility before(chain.solver, solution);
   before(pushes(chain.start, 0.0));
   ContactMobility now(chain.solver, solution, before.columns());
@@ -141,7 +143,7 @@ BOOST_AUTO_TEST_CASE(loads_that_have_turned_are_solved_for) {
 
 BOOST_AUTO_TEST_CASE(a_stage_without_loads_keeps_the_columns_of_the_stage_before) {
   const Chain chain;
-  const Solution solution = chain.solver.solve({chain.start});
+  const Solution solution = chain.solver.solve(chain.solver.instant(chain.start));
   const Loads all = pushes(chain.start, 0.0);
   ContactMobility first(chain.solver, solution);
   first(all);
@@ -164,7 +166,7 @@ BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
     loads.col(1) = pushes(chain.start, turn).col(1);
     const VectorXd difference{{-1.0, 1.0}};
     const VectorXd expected = chain.exact(chain.start, loads) * difference;
-    ContactMobility respond(chain.solver, chain.solver.solve({chain.start}));
+    ContactMobility respond(chain.solver, chain.solver.solve(chain.solver.instant(chain.start)));
     const VectorXd found = respond(loads) * difference;
     BOOST_TEST((found - expected).norm() < 0.1 * expected.norm());
   }

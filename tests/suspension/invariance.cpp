@@ -227,8 +227,9 @@ BOOST_AUTO_TEST_CASE(superposition) {
 BOOST_AUTO_TEST_CASE(reversed_flow) {
   const Scene mixed = mixed_scene(48);
   const SuspensionSolver solver(mixed);
-  const Configuration start = solver.start().configuration;
-  const Solution forth = solver.solve({start}), back = solver.solve({start, -1.0});
+  const Instant start = solver.start();
+  const Solution forth = solver.solve(start),
+                 back = solver.solve({start.configuration, scaled(-1.0, start.forcing)});
   for (std::size_t k = 0; k < 3; ++k) {
     const auto& [u, omega] = back.motions[k];
     BOOST_TEST(distance(forth.motions[k], {-u, -omega}) < 1e-12);

@@ -14,7 +14,8 @@ using std::numbers::pi;
 
 Rheology rheology_of(const Scene& scene, double amplitude = 1.0) {
   const SuspensionSolver solver(scene);
-  return Rheometer(solver)(solver.solve({solver.start().configuration, amplitude}));
+  const Instant start = solver.start();
+  return Rheometer(solver)(solver.solve({start.configuration, scaled(amplitude, start.forcing)}));
 }
 
 Scene pair(double gap, const BackgroundFlow& flow) {

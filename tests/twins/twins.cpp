@@ -323,7 +323,7 @@ void chapter_12() {
                   Body{.shape = Ellipse{1.2, 0.5}, .position = {3.0, -0.8}, .orientation = 0.6}};
   const SuspensionSolver solver(scene);
   const auto velocities = [&](const VectorXd& state) -> VectorXd {
-    const Solution solution = solver.solve({to_configuration(state)});
+    const Solution solution = solver.solve(solver.instant(to_configuration(state)));
     VectorXd values(6);
     values << values_of(solution.motions[0]), values_of(solution.motions[1]);
     return values;

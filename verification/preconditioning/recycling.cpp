@@ -96,7 +96,7 @@ struct TwoSteps {
       moved[k].position += dt * completion.motions[k].velocity;
       moved[k].orientation += dt * completion.motions[k].omega;
     }
-    second = first.solver.linear_system({moved}, first.discretisation);
+    second = first.solver.linear_system(first.solver.instant(moved), first.discretisation);
   }
 
   /// Returns the number of products with the operator, including the products for the recycled

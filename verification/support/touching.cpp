@@ -96,7 +96,7 @@ Discretised::Discretised(const Scene& scene)
       configuration(solver.start().configuration),
       discretisation(
           solver.discretise(solver.first_resolutions(configuration, solver.gaps(configuration)))),
-      discrete(solver.linear_system({configuration}, discretisation)) {}
+      discrete(solver.linear_system(solver.instant(configuration), discretisation)) {}
 
 Discretised::Discretised(const Scene& scene, ClusterForm form)
     : Discretised(with_preconditioner(scene, PreconditionerKind::none)) {

@@ -95,7 +95,7 @@ int one_by_one(Scene scene, const Frame& frame) {
   Instant start = solver.start();
   const auto reversals =
       std::ranges::count_if(scene.reverse_at, [&](double t) { return t <= frame.t; });
-  start.amplitude = reversals % 2 == 0 ? 1.0 : -1.0;
+  start.forcing = scaled(reversals % 2 == 0 ? 1.0 : -1.0, start.forcing);
   const Solution free = solver.solve(start);
   ContactMobility mobility(solver, free);
   const double separation = solver.separation(), sag = 4e-3 * separation;

@@ -101,10 +101,10 @@ double error_of_lagged(double gap, int steps, Event event) {
     const Complex position = std::polar(1.0 + 0.5 * gap, t);
     return {{-position, 0.0}, {position, 0.0}};
   };
-  const Solution exact = solver.solve({at(1.0)});
+  const Solution exact = solver.solve(solver.instant(at(1.0)));
   const auto time = [=](int k) { return static_cast<double>(k) / steps; };
   const int begin = std::max(0, steps - 100);
-  const Solution first = solver.solve({at(time(begin))});
+  const Solution first = solver.solve(solver.instant(at(time(begin))));
   DensityHistory densities(1);
   densities.add(time(begin), at(time(begin)), first.discretisation, first.density);
   Solution lagged;
@@ -115,7 +115,8 @@ double error_of_lagged(double gap, int steps, Event event) {
     const auto before = [&](const Discretisation& discretisation) {
       return densities.guess(t, at(t), discretisation);
     };
-    lagged = solver.solve_lagged({at(t), reverses ? -1.0 : 1.0}, before);
+    const auto& [configuration, forcing] = solver.instant(at(t));
+    lagged = solver.solve_lagged({configuration, scaled(reverses ? -1.0 : 1.0, forcing)}, before);
     densities.add(t, at(t), lagged.discretisation, lagged.density);
   }
   const double amplitude = event == Event::none ? 1.0 : -1.0;

@@ -146,7 +146,7 @@ Rate solved_rate(const Scene& scene) {
   const Resolutions first = resolutions_of(solver->solve(solver->start()).discretisation);
   return [=](double, const VectorXd& state) {
     try {
-      return to_rate(solver->solve_nearby({to_configuration(state)}, first));
+      return to_rate(solver->solve_nearby(solver->instant(to_configuration(state)), first));
     } catch (const SolverError& refusal) {  // bodies overlap, or are too close for their nodes
       throw InadmissibleState(refusal.what());
     }

@@ -52,13 +52,14 @@ Last last(double dt, std::size_t kept, Reversal reversal) {
     const double t = 0.5 - dt * static_cast<double>(kept - k);
     const double amplitude = k == 0 && reversal == Reversal::untold ? -1.0 : 1.0;
     const Configuration now = at(t);
-    const Solution warm = solver.solve({now, amplitude}, [&](const Discretisation& discretisation) {
+    const Instant instant{now, scaled(amplitude, solver.start().forcing)};
+    const Solution warm = solver.solve(instant, [&](const Discretisation& discretisation) {
       return history.guess(t, now, discretisation);
     });
     history.add(t, now, warm.discretisation, warm.density);
     last = {0.0, static_cast<double>(warm.gmres.iterations), warm.gmres.history.front()};
   }
-  last.cold = solver.solve({at(0.5)}).gmres.iterations;
+  last.cold = solver.solve(solver.instant(at(0.5))).gmres.iterations;
   return last;
 }
 

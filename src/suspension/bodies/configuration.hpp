@@ -11,13 +11,6 @@ namespace stokesbook {
 /// Poses of all components: bodies in the scene's order, then walls in the scene's order.
 using Configuration = std::vector<Pose>;
 
-/// The data on which the flow of an instant depends, in addition to the scene.
-struct Instant {
-  Configuration configuration;  ///< poses of the components
-  double amplitude = 1.0;  ///< flow amplitude: factor of the background flow, of the velocities
-                           ///< of walls and held bodies, and of the loads; -1 after a reversal
-};
-
 /// Packs the poses of K components into the state vector that time steppers advance.
 /// @return 3K numbers: x, y, orientation of every component
 Eigen::VectorXd to_state(const Configuration& configuration);

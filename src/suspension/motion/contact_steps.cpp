@@ -237,7 +237,7 @@ ContactSteps::SecondStage ContactSteps::second_stage(const RunState& state, cons
                              .closer = *state.closer,
                              .most_iterations = most_iterations - first.iterations};
   StageSolution stage =
-      stages_.resolve(problem, {instants_.solve_stage(start.t_end, {acting, state.amplitude})});
+      stages_.resolve(problem, {instants_.solve_stage({start.t_end, state.now.t}, acting)});
   auto& [outcome, solution, cost, seconds] = stage.contact;
   const Configuration end = to_configuration(state.now.state + dt * outcome.result.velocity);
   const double distance = largest_distance(stage.flow.solution.discretisation, acting, end);
@@ -263,7 +263,7 @@ TakenStep ContactSteps::finish(const RunState& state, const StepStart& start,
                              "a step leads to gaps below contact.minimum_separation: " + pairs);
   }
   stages_.relax(info.contacts > 0);
-  TimedSolution flow = instants_.solve(start.t_end, {configuration, state.amplitude});
+  TimedSolution flow = instants_.solve({start.t_end, state.now.t}, configuration);
   const double duration = second ? 0.5 * info.dt : info.dt;
   info = with_forces(info, first, duration);
   if (second) info = with_forces(info, last, duration);

@@ -97,7 +97,7 @@ TakenStep FreeSteps::advance(const RunState& state, StepStart start) {
   const double closest = info.min_gap;
   std::optional<TimedSolution> last;
   const auto within = [&](double t, const VectorXd& q) {
-    const TimedSolution stage = instants_.solve_stage(t, {to_configuration(q), state.amplitude});
+    const TimedSolution stage = instants_.solve_stage({t, state.now.t}, to_configuration(q));
     info = with_solve(info, stage.solution, stage.seconds);
     return to_rate(stage.solution);
   };
@@ -106,7 +106,7 @@ TakenStep FreeSteps::advance(const RunState& state, StepStart start) {
     const Configuration there = to_configuration(q);
     const std::string passing = passing_.describe_passing(here, there, closest);
     if (!passing.empty()) throw ConfigurationError(at_time(t) + passing);
-    last = instants_.solve(t, {there, state.amplitude});
+    last = instants_.solve({t, state.now.t}, there);
     return to_rate(last->solution);
   };
   const TimePoint now{state.now.t, state.now.state, to_rate(first.solution)};

@@ -38,23 +38,27 @@ InstantSolver::InstantSolver(const SuspensionSolver& solver, const OutputSchedul
   memory_.gmres_tolerance = solver.plan().gmres_tolerance;
 }
 
-TimedSolution InstantSolver::solve(double t, const Instant& instant) {
+TimedSolution InstantSolver::solve(const StepTime& time, const Configuration& configuration) {
   const bool due = memory_.densities.empty() ||
-                   memory_.solves_since_estimate >= solves_per_estimate || schedule_.is_written(t);
-  return solve(t, instant, due);
+                   memory_.solves_since_estimate >= solves_per_estimate ||
+                   schedule_.is_written(time.t);
+  return solve(time, configuration, due);
 }
 
-TimedSolution InstantSolver::solve_stage(double t, const Instant& instant) {
-  return solve(t, instant, false);
+TimedSolution InstantSolver::solve_stage(const StepTime& time, const Configuration& configuration) {
+  return solve(time, configuration, false);
 }
 
-TimedSolution InstantSolver::solve(double t, const Instant& instant, bool estimated) {
+TimedSolution InstantSolver::solve(const StepTime& time, const Configuration& configuration,
+                                   bool estimated) {
   const auto start = std::chrono::steady_clock::now();
+  const double t = time.t;
+  const Instant instant = solver_.instant(configuration, time);
   SolveMemory before = memory_;
   Solution solution =
       with_time_in_errors(t, [&] { return solve_from_guess(t, instant, estimated); });
   if (!estimated) solution.error_estimate = memory_.error_estimate;
-  memory_.densities.add(t, instant.configuration, solution.discretisation, solution.density);
+  memory_.densities.add(t, configuration, solution.discretisation, solution.density);
   if (!solver_.scene().contact) solution.system.reset();  // only contact solves it again
   memory_.error_estimate = solution.error_estimate;
   memory_.solves_since_estimate = estimated ? 0 : memory_.solves_since_estimate + 1;

@@ -32,10 +32,10 @@ class InstantSolver {
   /// estimate.
   ///
   /// @throws SolverError with the time, as SuspensionSolver::solve() does
-  TimedSolution solve(double t, const Instant& instant);
+  TimedSolution solve(const StepTime& time, const Configuration& configuration);
 
   /// Solves a stage within a step as solve() does, without an estimate of its error.
-  TimedSolution solve_stage(double t, const Instant& instant);
+  TimedSolution solve_stage(const StepTime& time, const Configuration& configuration);
 
   /// Solves the instant of `flow`, a solution on fewer nodes, again with the node numbers that
   /// contact requires, and remembers its densities instead. The new solution has the error estimate
@@ -48,7 +48,7 @@ class InstantSolver {
   SolveMemory& memory() { return memory_; }
 
  private:
-  TimedSolution solve(double t, const Instant& instant, bool estimated);
+  TimedSolution solve(const StepTime& time, const Configuration& configuration, bool estimated);
   Solution solve_from_guess(double t, const Instant& instant, bool estimated) const;
   DensityGuess density_guess(double t, const Configuration& configuration) const;
 

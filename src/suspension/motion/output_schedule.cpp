@@ -1,35 +1,38 @@
-// Compares times of a run with those at which it writes, reverses and ends (chapter 12).
+// Compares times of a run with those at which it writes, changes its forcing and ends (chapter 12).
 #include "suspension/motion/output_schedule.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "suspension/bodies/forcing.hpp"
+
 namespace stokesbook {
 
 namespace {
 
 // Two times that differ by less than this part of dt_write are the same time: a step from a written
-// time to a reversal so near would be nothing but rounding.
+// time to an event so near would be nothing but rounding.
 constexpr double same_time = 1e-9;
 
 }  // namespace
 
 OutputSchedule::OutputSchedule(const Scene& scene)
-    : dt_write_(scene.output.dt_write), reverse_at_(scene.reverse_at) {
+    : dt_write_(scene.output.dt_write),
+      reversals_(scene.reverse_at),
+      events_(forcing_events(scene)) {
   const TimeSettings time = scene.time.value_or(TimeSettings{});
   t_final_ = time.t_final;
   interpolates_ = has_dense_output(time.method);
   rounding_ = interpolates_ ? 0.0 : same_time * dt_write_.value_or(0.0);
 }
 
-double OutputSchedule::amplitude_at(double t) const {
-  const auto passed = std::ranges::upper_bound(reverse_at_, t) - reverse_at_.begin();
-  return passed % 2 == 0 ? 1.0 : -1.0;
+bool OutputSchedule::is_event(double t) const {
+  return std::ranges::binary_search(events_, t);
 }
 
 bool OutputSchedule::is_reversal(double t) const {
-  return std::ranges::binary_search(reverse_at_, t);
+  return std::ranges::binary_search(reversals_, t);
 }
 
 bool OutputSchedule::is_written(double t) const {
@@ -49,8 +52,8 @@ double OutputSchedule::next_written(double t) const {
 
 double OutputSchedule::next_event(double t) const {
   double event = t_final_;
-  const auto reversal = std::ranges::upper_bound(reverse_at_, t);
-  if (reversal != reverse_at_.end()) event = std::min(event, *reversal);
+  const auto next = std::ranges::upper_bound(events_, t);
+  if (next != events_.end()) event = std::min(event, *next);
   if (interpolates_) return event;
   const double written = next_written(t);
   return written < event - rounding_ ? written : event;

@@ -7,9 +7,9 @@
 
 namespace stokesbook {
 
-/// The times at which a run writes, reverses its flow, and ends.
+/// The times at which a run writes, at which its forcing is not smooth, and at which it ends.
 ///
-/// Steps end at reversals and at the end of the run. They also end at written times, unless the
+/// Steps end at the forcing's events and at the end of the run. They also end at written times, unless the
 /// stepping method interpolates within its steps as accurately as it steps.
 class OutputSchedule {
  public:
@@ -18,10 +18,10 @@ class OutputSchedule {
 
   double t_final() const { return t_final_; }  ///< returns the end of the run
 
-  /// Returns the flow amplitude from a time on: 1, or -1 after an odd number of reversals.
-  double amplitude_at(double t) const;
+  /// Returns whether the forcing is not smooth at a time: one of forcing_events().
+  bool is_event(double t) const;
 
-  /// Returns whether the flow reverses at a time.
+  /// Returns whether the scene reverses its forcing at a time.
   bool is_reversal(double t) const;
 
   /// Returns whether a frame is written at a time that a step ends at: at multiples of
@@ -31,7 +31,7 @@ class OutputSchedule {
   /// Returns the first multiple of output.dt_write after a time; infinite if there is no dt_write.
   double next_written(double t) const;
 
-  /// Returns the time that a step from t must not pass: the first of end, next reversal and,
+  /// Returns the time that a step from t must not pass: the first of end, next event and,
   /// without interpolation, next written time.
   double next_event(double t) const;
 
@@ -42,7 +42,7 @@ class OutputSchedule {
  private:
   double t_final_;
   std::optional<double> dt_write_;
-  std::vector<double> reverse_at_;
+  std::vector<double> reversals_, events_;  // ascending
   bool interpolates_;
   double rounding_;  // rounding error of written times
 };

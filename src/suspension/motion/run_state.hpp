@@ -28,7 +28,6 @@ struct SolveMemory {
 /// All that the rest of a run depends on.
 struct RunState {
   TimePoint now;       ///< time and configuration, without a rate
-  double amplitude;    ///< amplitude of the flow from now on
   StepMemory steps{};  ///< memory of the steps so far
   SolveMemory solves;  ///< before the solve at `now`, which a resumed run takes again
   std::optional<CloserPairs> closer{};  ///< pairs that began closer than contact allows, and their

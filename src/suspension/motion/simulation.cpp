@@ -42,7 +42,6 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
                   .bound = stepping_settings(solver).bound},
       instants_(solver, schedule_, statistics_),
       state_{.now = {0.0, to_state(solver.start().configuration), {}},
-             .amplitude = 1.0,
              .solves = instants_.memory()} {
   const std::optional<TimeSettings>& time = solver.scene().time;
   require(!time || is_embedded(time->method) || time->dt,
@@ -70,7 +69,6 @@ void Simulation::continue_from(const Checkpoint& checkpoint) {
 
 // [run]
 void Simulation::run() {
-  state_.amplitude = schedule_.amplitude_at(time());
   TimedSolution flow = solve_flow();
   while (true) {
     StepStart start = steps_->begin(state_, std::move(flow));  // with contact forces from here on
@@ -87,11 +85,11 @@ void Simulation::solve_once() {
   write(steps_->begin(state_, solve_flow()));
 }
 
-// Solves for the flow where the run is: at its start, after a resume, or after a reversal.
+// Solves for the flow where the run is: at its start, after a resume, or after a restart.
 TimedSolution Simulation::solve_flow() {
   const Configuration configuration = to_configuration(state_.now.state);
   if (statistics_.totals.steps == 0) state_.closer = steps_->admit_start(configuration);
-  TimedSolution flow = instants_.solve(time(), {configuration, state_.amplitude});
+  TimedSolution flow = instants_.solve({time(), time()}, configuration);
   state_.solves = std::move(flow.before);
   return flow;
 }
@@ -106,15 +104,21 @@ TimedSolution Simulation::accept(TakenStep taken) {
   if (observer_.step) observer_.step(info);
   if (observer_.warning && !taken.warning.empty()) observer_.warning(taken.warning);
   adapt_to_effort(info);
-  if (!schedule_.is_reversal(time())) return std::move(taken.end);
-  reverse();
+  if (!schedule_.is_event(time())) return std::move(taken.end);
+  restart();
   return solve_flow();
 }
 
-void Simulation::reverse() {
-  state_.amplitude = schedule_.amplitude_at(time());
-  state_.steps.previous.reset();  // the rate before a reversal does not extrapolate past it
-  instants_.memory().densities.reverse(time());
+// Prepares for a forcing that continues neither rates nor densities: where all forcing changes its
+// sign, bodies retrace their paths.
+void Simulation::restart() {
+  state_.steps.previous.reset();
+  DensityHistory& densities = instants_.memory().densities;
+  if (schedule_.is_reversal(time())) {
+    densities.reverse(time());
+  } else {
+    densities.restart();
+  }
   instants_.memory().contact_velocities = {};
 }
 
@@ -139,8 +143,8 @@ void Simulation::write(const StepStart& start) {
 void Simulation::write_within(const Step& step) {
   for (double t = schedule_.next_written(std::max(step.start.t, state_.last_written));
        t < step.end.t; t = schedule_.next_written(t)) {
-    const Instant instant{to_configuration(interpolate(step, t)), state_.amplitude};
-    TimedSolution frame = instants_.solve(t, instant);
+    TimedSolution frame =
+        instants_.solve({t, step.start.t}, to_configuration(interpolate(step, t)));
     instants_.memory() = std::move(frame.before);
     write(t, frame.solution, {});
   }

@@ -19,15 +19,16 @@ struct Observer {
 
 /// Moves a scene from t = 0 to its end.
 ///
-/// Reversals and the end are hit exactly. Methods that interpolate step across written times; all
-/// other methods shorten their steps evenly to hit them. The order of a method in time.dt is the
-/// one that chapter 09 gives. FreeSteps takes the steps of scenes without contact, ContactSteps
-/// those of scenes with contact; InstantSolver solves their stages.
+/// The end is hit exactly, and so are the times at which the forcing is not smooth, such as
+/// reversals. Methods that interpolate step across written times; all other methods shorten their
+/// steps evenly to hit them. The order of a method in time.dt is the one that chapter 09 gives.
+/// FreeSteps takes the steps of scenes without contact, ContactSteps those of scenes with contact;
+/// InstantSolver solves their stages.
 /// @par Accuracy  of methods that adapt steps: time.tolerance within a factor of ten where the
 ///                motion is smooth and solver.tolerance is below it, @ref claim_09_18,
 ///                @ref claim_09_20; far better where the flow contracts, as onto a contact
 /// @par Cost      one solve a step, and one for each stage beyond the first;
-///                one at the start, after a reversal and at an interpolated written time;
+///                one at the start, after such a time and at an interpolated written time;
 ///                evaluate_field() and Rheometer a written time
 class Simulation {
  public:
@@ -79,7 +80,7 @@ class Simulation {
  private:
   TimedSolution solve_flow();
   TimedSolution accept(TakenStep taken);
-  void reverse();
+  void restart();
   void adapt_to_effort(const StepInfo& step);
   void write(const StepStart& start);
   void write_within(const Step& step);

@@ -39,6 +39,10 @@ class DensityHistory {
   /// retrace their paths, and the density at t + s is minus the density at t - s.
   void reverse(double t);
 
+  /// Forgets all densities but the latest, which earlier ones do not extrapolate past a time at
+  /// which the forcing is not smooth.
+  void restart();
+
   /// Guesses the density at a time on nodes that may differ from those of earlier solutions.
   ///
   /// @return    guess at all n nodes, length / time; no rows if the history is empty

@@ -30,6 +30,15 @@ double torque_without_bodies(Scene scene) {
   return inner_torque(scene, solver.solve(solver.start()));
 }
 
+// Returns the factor of the rotation of a Couette cell's walls, which have the same factor.
+double rotation_factor(const Scene& scene, const Forcing& forcing) {
+  const auto is_rotating = [](const Wall& wall) {
+    return std::holds_alternative<RotatingWall>(wall.motion);
+  };
+  const auto number = std::ranges::find_if(scene.walls, is_rotating) - scene.walls.begin();
+  return forcing.motions[scene.bodies.size() + static_cast<std::size_t>(number)];
+}
+
 bool deforms(const Wall& wall) {
   return std::holds_alternative<LinearWall>(wall.motion) ||
          std::holds_alternative<RadialWall>(wall.motion);
@@ -113,7 +122,8 @@ double Rheometer::order_parameter(const Configuration& configuration) const {
 
 double Rheometer::excess_dissipation(const Solution& solution,
                                      const std::vector<Complex>& stresslets) const {
-  const auto& [configuration, amplitude] = solution.instant;
+  const auto& [configuration, forcing] = solution.instant;
+  const double amplitude = forcing.flow;
   const Scene& scene = solver_.scene();
   if (std::holds_alternative<TaylorGreenFlow>(scene.flow) ||
       std::ranges::any_of(scene.walls, deforms)) {
@@ -158,8 +168,10 @@ Rheology Rheometer::operator()(const Solution& solution) const {
     rheology.uniform_velocity = solution.uniform_velocity;
   }
   if (empty_torque_) {
-    rheology.torque_ratio =
-        inner_torque(scene, solution) / (solution.instant.amplitude * *empty_torque_);
+    const double factor = rotation_factor(scene, solution.instant.forcing);
+    if (factor != 0.0) {
+      rheology.torque_ratio = inner_torque(scene, solution) / (factor * *empty_torque_);
+    }
   }
   return rheology;
 }

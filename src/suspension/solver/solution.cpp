@@ -44,22 +44,24 @@ ComplexVector prescribed_velocity(const ComponentView& component, const Curve& c
   return (velocity + imaginary * omega * (curve.x.array() - position)).matrix();
 }
 
-RigidMotion scaled(double amplitude, const RigidMotion& motion) {
-  return {amplitude * motion.velocity, amplitude * motion.omega};
+RigidMotion scaled(double factor, const RigidMotion& motion) {
+  return {factor * motion.velocity, factor * motion.omega};
 }
 
 }  // namespace
 
-Complex frame_velocity(const Scene& scene, double amplitude) {
+Complex frame_velocity(const Scene& scene, const Forcing& forcing) {
   const Wall* outer = only_wall(scene, WallRole::outer);
   if (outer == nullptr) return 0.0;
   const auto* translating = std::get_if<TranslatingWall>(&outer->motion);
-  return translating == nullptr ? 0.0 : amplitude * translating->velocity;
+  if (translating == nullptr) return 0.0;
+  const auto number = static_cast<std::size_t>(outer - scene.walls.data());
+  return forcing.motions[scene.bodies.size() + number] * translating->velocity;
 }
 
 StokesProblem instant_problem(const Scene& scene, const Instant& instant,
                               const Discretisation& discretisation) {
-  const auto& [configuration, amplitude] = instant;
+  const auto& [configuration, forcing] = instant;
   StokesProblem problem{{}, scene.viscosity, {}, scene.gauge_length};
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const auto [position, orientation] = configuration[k];
@@ -67,11 +69,11 @@ StokesProblem instant_problem(const Scene& scene, const Instant& instant,
     Component component{discretisation[k]->kind, curve, position, {}, 0.0, {}};
     const ComponentView source = component_of(scene, k);
     if (source.kind == ComponentKind::free_body) {
-      component.force = amplitude * source.body->force;
-      component.torque = amplitude * source.body->torque;
+      component.force = forcing.loads[k].force;
+      component.torque = forcing.loads[k].torque;
     } else {
-      component.velocity = amplitude * prescribed_velocity(source, curve, position);
-      component.velocity.array() -= frame_velocity(scene, amplitude);
+      component.velocity = forcing.motions[k] * prescribed_velocity(source, curve, position);
+      component.velocity.array() -= frame_velocity(scene, forcing);
     }
     problem.components.push_back(std::move(component));
   }
@@ -81,9 +83,9 @@ StokesProblem instant_problem(const Scene& scene, const Instant& instant,
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];
     problem.background.segment(offsets[k], component.curve.size()) =
-        amplitude * (component.kind == ComponentKind::free_body
-                         ? straining_velocity(scene.flow, component)
-                         : background_velocity(scene.flow, component.curve.x));
+        forcing.flow * (component.kind == ComponentKind::free_body
+                            ? straining_velocity(scene.flow, component)
+                            : background_velocity(scene.flow, component.curve.x));
   }
   return problem;
 }
@@ -101,7 +103,7 @@ StokesProblem loaded_problem(const Scene& scene, const Solution& solution,
 }
 
 Solution complete_solution(const Scene& scene, Solution solution, GmresResult gmres) {
-  const double amplitude = solution.instant.amplitude;
+  const Forcing& forcing = solution.instant.forcing;
   const auto& [problem, system, precondition, is_factorised] = *solution.system;
   solution.gmres = std::move(gmres);
   solution.density = deinterleaved(solution.gmres.solution);
@@ -112,14 +114,14 @@ Solution complete_solution(const Scene& scene, Solution solution, GmresResult gm
   for (std::size_t k = 0; k < solution.motions.size(); ++k) {
     const ComponentView component = component_of(scene, k);
     if (component.kind != ComponentKind::free_body) {
-      solution.motions[k] = scaled(amplitude, prescribed_motion(component));
+      solution.motions[k] = scaled(forcing.motions[k], prescribed_motion(component));
       continue;
     }
     // The problem leaves out the rigid motion of the flow at the body, and of the container.
     const Complex centre = problem.components[k].centre;
     const RigidMotion carried =
-        is_bounded(problem) ? RigidMotion{frame_velocity(scene, amplitude)}
-                            : scaled(amplitude, background_rigid_motion(scene.flow, centre));
+        is_bounded(problem) ? RigidMotion{frame_velocity(scene, forcing)}
+                            : scaled(forcing.flow, background_rigid_motion(scene.flow, centre));
     solution.motions[k].velocity += carried.velocity;
     solution.motions[k].omega += carried.omega;
   }

@@ -6,6 +6,7 @@
 #include "closure/closure.hpp"
 #include "krylov/gmres.hpp"
 #include "scene/scene.hpp"
+#include "suspension/bodies/forcing.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/system/linear_system.hpp"
 
@@ -26,7 +27,7 @@ struct SolveCost {
 
 /// One quasi-static solution: all that velocities, fields and rheology of its instant require.
 struct Solution {
-  Instant instant;                               ///< poses and flow amplitude
+  Instant instant;                               ///< poses and forcing
   Discretisation discretisation;                 ///< nodes of the density
   std::shared_ptr<const LinearSystem> system{};  ///< on these nodes; none if it was dropped
   ComplexVector density{};  ///< at all nodes, components in order, length / time
@@ -46,7 +47,7 @@ struct Solution {
 
 /// Returns the velocity of the frame in which an enclosed problem is solved: that of a container
 /// which translates as a whole; 0 in all other scenes.
-Complex frame_velocity(const Scene& scene, double amplitude);
+Complex frame_velocity(const Scene& scene, const Forcing& forcing);
 
 /// Poses the boundary value problem of an instant: bodies, then walls, with their nodes, loads and
 /// velocities.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "double_layer/double_layer.hpp"
 #include "suspension/bodies/background_flow.hpp"
@@ -88,11 +89,15 @@ double SuspensionSolver::separation() const {
 }
 
 Instant SuspensionSolver::start() const {
-  Instant start;
+  Configuration start;
   for (std::size_t k = 0; k < discretisation_.size(); ++k) {
-    start.configuration.push_back(component_of(scene_, k).start);
+    start.push_back(component_of(scene_, k).start);
   }
-  return start;
+  return instant(std::move(start));
+}
+
+Instant SuspensionSolver::instant(Configuration configuration, const StepTime& time) const {
+  return {std::move(configuration), forcing_at(scene_, time)};
 }
 
 std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) const {
@@ -287,7 +292,7 @@ Solution SuspensionSolver::solve_lagged(const Instant& instant, const DensityGue
 }
 
 Solution SuspensionSolver::solve_refined(const Solution& solution) const {
-  const auto& [configuration, amplitude] = solution.instant;
+  const Configuration& configuration = solution.instant.configuration;
   const Resolutions resolutions = finer_than(solution);
   throw_if<ConfigurationError>(limit_error(scene_, resolutions, solution.gaps));
   Solution finer{solution.instant, discretise(resolutions)};
@@ -300,7 +305,7 @@ Solution SuspensionSolver::solve_refined(const Solution& solution) const {
 
 ComplexVector SuspensionSolver::velocity(const Solution& solution,
                                          const ComplexVector& points) const {
-  const auto& [configuration, amplitude] = solution.instant;
+  const auto& [configuration, forcing] = solution.instant;
   const StokesProblem problem = instant_problem(scene_, solution.instant, solution.discretisation);
   const auto near_curves = scene_.solver.near_singular == NearSingular::off
                                ? std::vector<PlacedCurve>{}
@@ -308,8 +313,8 @@ ComplexVector SuspensionSolver::velocity(const Solution& solution,
   const SolvedFlow flow(problem, near_curves, solution.density,
                         {plan_.near_tolerance, planned_sum(plan_)});
   const ComplexVector velocity = flow.velocity(points);
-  if (is_bounded(problem)) return velocity.array() + frame_velocity(scene_, amplitude);
-  return velocity + amplitude * background_velocity(scene_.flow, points);
+  if (is_bounded(problem)) return velocity.array() + frame_velocity(scene_, forcing);
+  return velocity + forcing.flow * background_velocity(scene_.flow, points);
 }
 
 SolvedFlow SuspensionSolver::disturbance(const Solution& solution) const {
@@ -324,7 +329,7 @@ std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Solution& solut
   const SolvedFlow flow = disturbance(solution);
   std::vector<FlowDerivatives> derivatives = flow.derivatives(points);
   if (is_bounded(flow.problem())) return derivatives;
-  const double amplitude = solution.instant.amplitude;
+  const double amplitude = solution.instant.forcing.flow;
   for (std::size_t i = 0; i < derivatives.size(); ++i) {
     const auto [pressure, vorticity, strain] =
         background_derivatives(scene_.flow, points[static_cast<Eigen::Index>(i)]);

@@ -39,8 +39,11 @@ class SuspensionSolver {
   ///                and by separation_error()
   explicit SuspensionSolver(const Scene& scene);
 
-  /// Returns the instant at which the scene starts, with the amplitude 1.
+  /// Returns the instant at which the scene starts.
   Instant start() const;
+
+  /// Returns the instant at which a run of the scene has a configuration.
+  Instant instant(Configuration configuration, const StepTime& time = {}) const;
 
   /// Returns the least gap that contact maintains, length; 0 in scenes without contact.
   double separation() const;

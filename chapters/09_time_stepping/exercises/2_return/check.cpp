@@ -126,7 +126,7 @@ void check_experiment() {
   int solves = 0;
   const Flow disks = [&](const VectorXd& q) {
     ++solves;
-    return to_rate(solver.solve_nearby({to_configuration(q)}, nodes));
+    return to_rate(solver.solve_nearby(solver.instant(to_configuration(q)), nodes));
   };
 
   struct Entry {
