@@ -37,12 +37,12 @@ double read_number(std::string_view field, std::string_view column, const std::s
   return value;
 }
 
-CsvRow parse_row(std::string_view line, const std::string& header, const std::string& where) {
-  const std::vector<std::string_view> columns = split(header, ',');
+CsvRow parse_row(std::string_view line, const std::vector<std::string>& columns,
+                 const std::string& where) {
   const std::vector<std::string_view> fields = split(line, ',');
   if (fields.size() != columns.size()) {
     throw SceneError(where + ": must hold " + std::to_string(columns.size()) + " values (" +
-                     header + "), not " + std::to_string(fields.size()));
+                     joined(columns, ",") + "), not " + std::to_string(fields.size()));
   }
   CsvRow row{where, {}};
   for (std::size_t k = 0; k < fields.size(); ++k) {
@@ -53,8 +53,17 @@ CsvRow parse_row(std::string_view line, const std::string& header, const std::st
 
 }  // namespace
 
-CsvTable parse_csv(std::string_view text, const std::string& file_name,
-                   std::initializer_list<std::string_view> headers) {
+bool CsvTable::has(std::string_view column) const {
+  return std::ranges::find(columns, column) != columns.end();
+}
+
+std::optional<double> CsvTable::value(const CsvRow& row, std::string_view column) const {
+  const auto found = std::ranges::find(columns, column);
+  if (found == columns.end()) return {};
+  return row.values[static_cast<std::size_t>(found - columns.begin())];
+}
+
+CsvTable parse_csv(std::string_view text, const std::string& file_name, const CsvHeader& header) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // spreadsheets write this mark
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   CsvTable table;
@@ -63,31 +72,29 @@ CsvTable parse_csv(std::string_view text, const std::string& file_name,
     const std::string where = file_name + ":" + std::to_string(++line_number);
     const std::string_view line = trim(raw.substr(0, raw.find('#')));
     if (line.empty()) continue;
-    if (!table.header.empty()) {
-      table.rows.push_back(parse_row(line, table.header, where));
+    if (!table.columns.empty()) {
+      table.rows.push_back(parse_row(line, table.columns, where));
       continue;
     }
-    std::vector<std::string_view> columns = split(line, ',');
-    std::ranges::transform(columns, columns.begin(), trim);
-    table.header = joined(columns, ",");
-    if (std::ranges::find(headers, table.header) == headers.end()) {
+    for (const std::string_view name : split(line, ',')) table.columns.emplace_back(trim(name));
+    if (!header.accepts(table.columns)) {
       throw SceneError(where + ": header = " + std::string(line) + ": must be " +
-                       joined(headers, " or "));
+                       std::string(header.expected));
     }
   }
   if (table.rows.empty()) {
     throw SceneError(file_name + ": must hold rows of numbers below the header " +
-                     joined(headers, " or "));
+                     std::string(header.expected));
   }
   return table;
 }
 
 CsvTable read_csv_file(const Node& name, const std::filesystem::path& directory,
-                       std::initializer_list<std::string_view> headers) {
+                       const CsvHeader& header) {
   const std::filesystem::path path = directory / read(name, csv_file_name);
   const std::optional<std::string> text = read_text_file(path);
   if (!text) fail(name, "the file " + path.string() + " does not exist or cannot be read");
-  return parse_csv(*text, path.string(), headers);
+  return parse_csv(*text, path.string(), header);
 }
 
 }  // namespace stokesbook::scene_text

@@ -27,14 +27,18 @@ constexpr Requirement<std::vector<double>> ascending_times{
 
 BackgroundFlow read_flow(const Node& node, bool enclosed) {
   if (enclosed) {
-    TableReader(node, {"kind", "rate", "velocity", "gradient", "gauge_length", "reverse_at"})
-        .refuse({"kind", "rate", "velocity", "gradient", "gauge_length"},
+    TableReader(node,
+                {"kind", "rate", "velocity", "gradient", "amplitude", "gauge_length", "reverse_at"})
+        .refuse({"kind", "rate", "velocity", "gradient", "amplitude", "gauge_length"},
                 "not allowed with an outer wall, which drives the flow; only reverse_at is");
     return QuiescentFlow{};
   }
   const TableReader table(node);
   const BackgroundFlow flow = read_parameters(table.get("kind", flow_kinds, BackgroundFlow{}), node,
-                                              {"gauge_length", "reverse_at"});
+                                              {"amplitude", "gauge_length", "reverse_at"});
+  if (std::holds_alternative<QuiescentFlow>(flow)) {
+    table.refuse({"amplitude"}, "has no effect: give kind, or remove it");
+  }
   // A linear flow is incompressible: div(G x) = tr G = 0, up to rounding.
   if (const auto* linear = std::get_if<LinearFlow>(&flow)) {
     constexpr double rounding = 1e-12;
@@ -49,8 +53,9 @@ BackgroundFlow read_flow(const Node& node, bool enclosed) {
 }
 
 SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
-  const TableReader root(node, {"title", "seed", "fluid", "flow", "walls", "bodies", "body_lists",
-                                "fill", "solver", "time", "contact", "output"});
+  const TableReader root(
+      node, {"title", "seed", "fluid", "flow", "walls", "bodies", "body_lists", "fill", "gravity",
+             "magnetic_field", "repulsion", "solver", "time", "contact", "output"});
   SceneFile file;
   auto& [scene, fills] = file;
   scene.title = root.get("title", Requirement<std::string>{"text"}, scene.title);
@@ -64,11 +69,15 @@ SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
   if (const Node* flow = root.find("flow")) {
     const TableReader table(*flow);
     scene.flow = read_flow(*flow, enclosed);
+    scene.flow_amplitude = read_amplitude(table);
     scene.gauge_length = table.get("gauge_length", positive_number);
     scene.reverse_at = table.get("reverse_at", ascending_times, scene.reverse_at);
   }
   scene.bodies = read_bodies(root, directory);
   fills = read_fills(root, directory, enclosed);
+  scene.gravity = read_gravity(root);
+  scene.magnetic_field = read_magnetic_field(root);
+  scene.repulsion = read_repulsion(root);
   scene.solver = read_solver(root);
   scene.time = read_time(root);
   scene.contact = read_contact(root, file);

@@ -2,9 +2,11 @@
 // [[body_lists]], in which each row of a CSV file becomes a body, and [[fill]], whose bodies
 // place_fills() places later.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "scene/csv_table.hpp"
 #include "scene/parameters.hpp"
@@ -45,7 +47,8 @@ WallMotion read_motion(const TableReader& wall, const Shape& shape) {
 }
 
 Wall read_wall(const Node& node, const std::filesystem::path& directory) {
-  const TableReader table(node, {"role", "shape", "position", "orientation", "n_nodes", "motion"});
+  const TableReader table(
+      node, {"role", "shape", "position", "orientation", "n_nodes", "motion", "amplitude"});
   Wall wall;
   wall.role = table.require("role", wall_roles);
   wall.shape = read_shape(table, directory);
@@ -53,12 +56,17 @@ Wall read_wall(const Node& node, const std::filesystem::path& directory) {
   wall.orientation = table.get("orientation", any_number, wall.orientation);
   wall.n_nodes = read_node_count(table);
   wall.motion = read_motion(table, wall.shape);
+  if (std::holds_alternative<FixedWall>(wall.motion)) {
+    table.refuse({"amplitude"}, "has no effect on a fixed wall: give a motion, or remove it");
+  }
+  wall.amplitude = read_amplitude(table);
   return wall;
 }
 
-Body read_body(const Node& node, const std::filesystem::path& directory) {
-  const TableReader table(node, {"shape", "position", "orientation", "force", "torque", "held",
-                                 "velocity", "omega", "n_nodes"});
+Body read_body(const Node& node, const TableReader& root, const std::filesystem::path& directory) {
+  const TableReader table(
+      node, {"shape", "position", "orientation", "force", "torque", "held", "velocity", "omega",
+             "n_nodes", "amplitude", "density", "trap", "magnetic_moment"});
   Body body;
   body.shape = read_shape(table, directory);
   body.position = table.get("position", any_vector, body.position);
@@ -67,6 +75,8 @@ Body read_body(const Node& node, const std::filesystem::path& directory) {
   if (body.held) {
     table.refuse({"force", "torque"},
                  "force and torque of a held body are results; remove them, or set held = false");
+    table.refuse({"density", "trap", "magnetic_moment"},
+                 "has no effect on a held body; remove it, or set held = false");
   } else {
     table.refuse({"velocity", "omega"},
                  "velocity and omega of a free body are results; remove them, or set held = true");
@@ -76,45 +86,75 @@ Body read_body(const Node& node, const std::filesystem::path& directory) {
   body.velocity = table.get("velocity", any_vector, body.velocity);
   body.omega = table.get("omega", any_number, body.omega);
   body.n_nodes = read_node_count(table);
+  body.loads = read_load_laws(table, root, !body.held);
   return body;
 }
 
-constexpr std::string_view placements_header = "x,y,theta";
-constexpr std::string_view ellipses_header = "cx,cy,semi_a,semi_b,theta";
+const CsvHeader list_header{
+    "x,y,theta or cx,cy,theta with any of fx, fy, torque, density, and radius or semi_a, semi_b",
+    [](const std::vector<std::string>& columns) {
+      constexpr std::array known{"x",  "y",      "cx",      "cy",     "theta",  "fx",
+                                 "fy", "torque", "density", "radius", "semi_a", "semi_b"};
+      const auto has = [&](std::string_view name) {
+        return std::ranges::count(columns, name) == 1;
+      };
+      const auto is_known = [&](const std::string& name) {
+        return has(name) && std::ranges::count(known, name) == 1;
+      };
+      return std::ranges::all_of(columns, is_known) && has("theta") && has("x") != has("cx") &&
+             has("x") == has("y") && has("cx") == has("cy") && has("semi_a") == has("semi_b") &&
+             !(has("semi_a") && has("radius"));
+    }};
 
-double semi_axis(const CsvRow& row, std::size_t column, const std::string& name) {
-  const double length = row.values[column];
-  if (positive_number.holds(length)) return length;
-  throw SceneError(row.where + ": " + name + " = " + toml_value(length) + ": must be " +
-                   describe(positive_number));
-}
-
-std::vector<Body> read_body_list(const Node& node, const std::filesystem::path& directory) {
-  const TableReader table(node, {"file", "shape", "force", "torque", "n_nodes"});
-  const CsvTable rows = read_csv_file(table.at("file", describe(csv_file_name)), directory,
-                                      {placements_header, ellipses_header});
-  const bool ellipses = rows.header == ellipses_header;
-  Body body;
-  if (ellipses) {
-    table.refuse({"shape"}, "the file gives each body its own ellipse; remove shape");
+std::vector<Body> read_body_list(const Node& node, const TableReader& root,
+                                 const std::filesystem::path& directory) {
+  const TableReader table(node, {"file", "shape", "force", "torque", "n_nodes", "amplitude",
+                                 "density", "trap", "magnetic_moment"});
+  const Node& file = table.at("file", describe(csv_file_name));
+  const CsvTable rows = read_csv_file(file, directory, list_header);
+  Body body;  // with the properties that all bodies of the list share
+  const bool circles = rows.has("radius"), ellipses = rows.has("semi_a");
+  if (circles || ellipses) {
+    table.refuse({"shape"}, std::string("the file gives each body its own ") +
+                                (circles ? "circle" : "ellipse") + "; remove shape");
   } else {
     body.shape = read_shape(table, directory);
+  }
+  for (const auto& [column, key] :
+       {std::pair{"fx", "force"}, {"fy", "force"}, {"torque", "torque"}, {"density", "density"}}) {
+    if (rows.has(column)) table.refuse({key}, "the file has the column " + std::string(column));
+  }
+  if (rows.has("density") && root.find("gravity") == nullptr) {
+    fail(file, "the column density has no effect: write [gravity], or remove it");
   }
   body.force = table.get("force", any_vector, body.force);
   body.torque = table.get("torque", any_number, body.torque);
   body.n_nodes = read_node_count(table);
+  body.loads = read_load_laws(table, root, !rows.has("density"));
 
   std::vector<Body> bodies;
   for (const CsvRow& row : rows.rows) {
-    if (ellipses) body.shape = Ellipse{semi_axis(row, 2, "semi_a"), semi_axis(row, 3, "semi_b")};
-    body.position = {row.values[0], row.values[1]};
-    body.orientation = row.values.back();
+    const auto number = [&](std::string_view column, double otherwise = 0.0) {
+      return rows.value(row, column).value_or(otherwise);
+    };
+    const auto checked = [&](std::string_view column, const Requirement<double>& rule) {
+      if (rule.holds(number(column))) return number(column);
+      throw SceneError(row.where + ": " + std::string(column) + " = " + toml_value(number(column)) +
+                       ": must be " + describe(rule));
+    };
+    if (circles) body.shape = Circle{checked("radius", positive_number)};
+    if (ellipses) {
+      body.shape = Ellipse{checked("semi_a", positive_number), checked("semi_b", positive_number)};
+    }
+    body.position = {number("x", number("cx")), number("y", number("cy"))};
+    body.orientation = number("theta");
+    body.force = {number("fx", body.force.real()), number("fy", body.force.imag())};
+    body.torque = number("torque", body.torque);
+    if (rows.has("density")) body.loads.density = checked("density", nonnegative_number);
     bodies.push_back(body);
   }
   return bodies;
 }
-
-constexpr Requirement<double> gap{"a number >= 0", [](const double& x) { return x >= 0.0; }};
 
 /// Returns the box, or no value if the region is the whole fluid.
 std::optional<std::array<double, 4>> read_region(const TableReader& fill, bool enclosed) {
@@ -151,10 +191,11 @@ std::vector<Fill> split_by_size(const Node& list, const Fill& fill) {
   return fills;
 }
 
-std::vector<Fill> read_fill(const Node& node, const std::filesystem::path& directory,
-                            bool enclosed) {
+std::vector<Fill> read_fill(const Node& node, const TableReader& root,
+                            const std::filesystem::path& directory, bool enclosed) {
   const TableReader table(
-      node, {"shape", "sizes", "area_fraction", "count", "region", "clearance", "n_nodes"});
+      node, {"shape", "sizes", "area_fraction", "count", "region", "clearance", "n_nodes", "force",
+             "torque", "amplitude", "density", "trap", "magnetic_moment"});
   Fill fill;
   fill.shape = read_shape(table, directory);
   fill.area_fraction = table.get("area_fraction", proper_fraction);
@@ -164,8 +205,11 @@ std::vector<Fill> read_fill(const Node& node, const std::filesystem::path& direc
   }
   if (fill.count) table.refuse({"sizes"}, "sizes require area_fraction; remove count");
   fill.box = read_region(table, enclosed);
-  fill.clearance = table.get("clearance", gap, fill.clearance);
+  fill.clearance = table.get("clearance", nonnegative_number, fill.clearance);
   fill.n_nodes = read_node_count(table);
+  fill.force = table.get("force", any_vector, fill.force);
+  fill.torque = table.get("torque", any_number, fill.torque);
+  fill.loads = read_load_laws(table, root, true);
   const Node* sizes = table.find("sizes");
   return sizes ? split_by_size(*sizes, fill) : std::vector{fill};
 }
@@ -188,9 +232,9 @@ std::vector<Wall> read_walls(const TableReader& root, const std::filesystem::pat
 
 std::vector<Body> read_bodies(const TableReader& root, const std::filesystem::path& directory) {
   std::vector<Body> bodies;
-  for (const Node& node : root.tables("bodies")) bodies.push_back(read_body(node, directory));
+  for (const Node& node : root.tables("bodies")) bodies.push_back(read_body(node, root, directory));
   for (const Node& node : root.tables("body_lists")) {
-    std::ranges::move(read_body_list(node, directory), std::back_inserter(bodies));
+    std::ranges::move(read_body_list(node, root, directory), std::back_inserter(bodies));
   }
   return bodies;
 }
@@ -199,7 +243,7 @@ std::vector<Fill> read_fills(const TableReader& root, const std::filesystem::pat
                              bool enclosed) {
   std::vector<Fill> fills;
   for (const Node& node : root.tables("fill")) {
-    std::ranges::move(read_fill(node, directory, enclosed), std::back_inserter(fills));
+    std::ranges::move(read_fill(node, root, directory, enclosed), std::back_inserter(fills));
   }
   return fills;
 }

@@ -12,8 +12,12 @@ namespace stokesbook::scene_text {
 
 namespace {
 
+const CsvHeader points_header{"x,y", [](const std::vector<std::string>& columns) {
+                                return columns == std::vector<std::string>{"x", "y"};
+                              }};
+
 NodalCurve nodes_of_file(const Node& file, const std::filesystem::path& directory) {
-  const CsvTable table = read_csv_file(file, directory, {"x,y"});
+  const CsvTable table = read_csv_file(file, directory, points_header);
   ComplexVector points(static_cast<Eigen::Index>(table.rows.size()));
   std::ranges::transform(table.rows, points.begin(), [](const CsvRow& row) {
     return Complex{row.values[0], row.values[1]};

@@ -31,7 +31,9 @@ bool is_couette_cell(const Scene& scene) {
   const Wall* inner = only_wall(scene, WallRole::inner);
   if (outer == nullptr || inner == nullptr) return false;
   const std::optional<double> outer_rate = rotation(*outer), inner_rate = rotation(*inner);
-  return outer_rate && inner_rate && *outer_rate != *inner_rate;
+  const bool keep_ratio =
+      outer_rate == 0.0 || inner_rate == 0.0 || outer->amplitude == inner->amplitude;
+  return outer_rate && inner_rate && *outer_rate != *inner_rate && keep_ratio;
 }
 
 }  // namespace stokesbook

@@ -22,6 +22,38 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;  ///< takes the message
 };
 
+/// Amplitude in time that is always 1.
+struct ConstantAmplitude {
+  bool operator==(const ConstantAmplitude&) const = default;  ///< compares all members
+};
+
+/// Amplitude that jumps: has the value k from time k on, until the next time.
+struct SteppedAmplitude {
+  std::vector<double> times{};                               ///< ascending, the first is 0
+  std::vector<double> values{};                              ///< as many as times
+  bool operator==(const SteppedAmplitude&) const = default;  ///< compares all members
+};
+
+/// Amplitude that is linear between the values at given times, and constant before and after them.
+struct RampedAmplitude {
+  std::vector<double> times{};                              ///< ascending, >= 0, at least one
+  std::vector<double> values{};                             ///< as many as times
+  bool operator==(const RampedAmplitude&) const = default;  ///< compares all members
+};
+
+/// Amplitude \f$ m + a \cos(2\pi t / T + \phi) \f$.
+struct OscillatingAmplitude {
+  double mean = 0.0;                                             ///< m
+  double swing = 1.0;                                            ///< a
+  double period = 1.0;                                           ///< T > 0, time
+  double phase = 0.0;                                            ///< phi, radians
+  bool operator==(const OscillatingAmplitude&) const = default;  ///< compares all members
+};
+
+/// Factor of a flow, motion or load that depends on time.
+using Amplitude =
+    std::variant<ConstantAmplitude, SteppedAmplitude, RampedAmplitude, OscillatingAmplitude>;
+
 /// Background flow of a fluid at rest: u = 0.
 struct QuiescentFlow {
   bool operator==(const QuiescentFlow&) const = default;  ///< compares all members
@@ -110,7 +142,24 @@ struct Wall {
   double orientation = 0.0;                      ///< radians, counter-clockwise
   int n_nodes = automatic_nodes;                 ///< collocation nodes, even, >= 8, or automatic
   WallMotion motion{};                           ///< velocity on the curve
+  Amplitude amplitude{};                         ///< factor of the motion
   bool operator==(const Wall&) const = default;  ///< compares all members
+};
+
+/// A spring that pulls the position of a body to a centre: the force stiffness (centre - position).
+struct Trap {
+  double stiffness = 0.0;                        ///< > 0, force / length^2
+  std::optional<Complex> centre{};               ///< length; none: the position at the start
+  bool operator==(const Trap&) const = default;  ///< compares all members
+};
+
+/// Loads on a body that depend on its place or on time.
+struct LoadLaws {
+  Amplitude amplitude{};  ///< factor of force and torque, or of a held body's velocity and omega
+  std::optional<double> density{};  ///< mass / length^2 of the plane; none: no weight
+  std::optional<Trap> trap{};       ///< none: no trap
+  Complex magnetic_moment{};        ///< in the frame of the shape, torque / MagneticField::field
+  bool operator==(const LoadLaws&) const = default;  ///< compares all members
 };
 
 /// A rigid body: free under a given load, or held at a given velocity.
@@ -124,6 +173,7 @@ struct Body {
   Complex velocity{};        ///< velocity of a held body, length / time
   double omega = 0.0;        ///< rotation of a held body, counter-clockwise, 1 / time
   int n_nodes = automatic_nodes;                 ///< collocation nodes, even, >= 8, or automatic
+  LoadLaws loads{};                              ///< loads beside force and torque
   bool operator==(const Body&) const = default;  ///< compares all members
 };
 
@@ -135,7 +185,34 @@ struct Fill {
   std::optional<std::array<double, 4>> box{};  ///< xmin, ymin, xmax, ymax, length; none: the fluid
   double clearance = 0.0;                      ///< least gap between any two curves, length
   int n_nodes = automatic_nodes;               ///< collocation nodes of each body, or automatic
+  Complex force{};                             ///< load on each body, force / length
+  double torque = 0.0;                         ///< load on each body, force
+  LoadLaws loads{};                            ///< loads of each body beside force and torque
   bool operator==(const Fill&) const = default;  ///< compares all members
+};
+
+/// Gravity: each free body bears its weight minus its buoyancy.
+struct Gravity {
+  Complex acceleration{};                           ///< length / time^2
+  double fluid_density = 0.0;                       ///< >= 0, mass / length^2 of the plane
+  Amplitude amplitude{};                            ///< factor of the acceleration
+  bool operator==(const Gravity&) const = default;  ///< compares all members
+};
+
+/// A uniform magnetic field: the torque on a body is (magnetic moment) x (field).
+struct MagneticField {
+  Complex field{};         ///< at the start, torque / LoadLaws::magnetic_moment
+  double frequency = 0.0;  ///< turns of the field per time, counter-clockwise
+  Amplitude amplitude{};   ///< factor of the field
+  bool operator==(const MagneticField&) const = default;  ///< compares all members
+};
+
+/// Repulsion of all bodies from each other and from walls: the force strength exp(-gap / range) at
+/// the closest points of two components.
+struct Repulsion {
+  double strength = 0.0;                              ///< force where curves touch, force / length
+  double range = 0.0;                                 ///< > 0, length
+  bool operator==(const Repulsion&) const = default;  ///< compares all members
 };
 
 /// Method that evaluates the sums over all nodes.
@@ -267,8 +344,13 @@ struct Scene {
   double viscosity = 1.0;                ///< mu, > 0, force time / length^2
   BackgroundFlow flow{};                 ///< quiescent if a wall encloses the fluid
   std::optional<double> gauge_length{};  ///< length in the Stokeslets' -log(r / gauge_length)
-  std::vector<double> reverse_at{};      ///< ascending times > 0 at which all driving changes sign
-  std::vector<Wall> walls{};             ///< in file order
+  Amplitude flow_amplitude{};            ///< factor of the flow
+  /// Ascending times > 0 at which flow, motions, gravity, given forces and torques change sign
+  std::vector<double> reverse_at{};
+  std::optional<Gravity> gravity{};               ///< none: no weight, no buoyancy
+  std::optional<MagneticField> magnetic_field{};  ///< none: no field
+  std::optional<Repulsion> repulsion{};           ///< none: no repulsion
+  std::vector<Wall> walls{};                      ///< in file order
   std::vector<Body> bodies{};  ///< [[bodies]] first, then [[body_lists]], both in file order
   SolverSettings solver{};     ///< for the solve at one instant
   std::optional<TimeSettings> time{};             ///< none: one solve at t = 0
@@ -291,7 +373,8 @@ bool is_enclosed(const Scene& scene);
 const Wall* only_wall(const Scene& scene, WallRole role);
 
 /// Returns whether a scene is a Couette cell, in which the torque on the inner wall measures an
-/// effective viscosity: one outer and one inner wall, each fixed or rotating, at different rates.
+/// effective viscosity: one outer and one inner wall, each fixed or rotating, at different rates
+/// whose ratio does not change in time.
 bool is_couette_cell(const Scene& scene);
 
 }  // namespace stokesbook

@@ -15,6 +15,22 @@ namespace stokesbook::scene_text {
 /// Reads the key `shape` of a wall, body, body list or fill.
 Shape read_shape(const TableReader& owner, const std::filesystem::path& directory);
 
+/// Reads the key `amplitude` of a section; 1 if the key is missing.
+Amplitude read_amplitude(const TableReader& owner);
+
+/// Reads the keys `amplitude`, `density`, `trap` and `magnetic_moment` of bodies, lists and fills.
+/// @param  has_weight  whether `density` is required in a scene with [gravity]
+LoadLaws read_load_laws(const TableReader& owner, const TableReader& root, bool has_weight);
+
+/// Reads [gravity].
+std::optional<Gravity> read_gravity(const TableReader& root);
+
+/// Reads [magnetic_field].
+std::optional<MagneticField> read_magnetic_field(const TableReader& root);
+
+/// Reads [repulsion].
+std::optional<Repulsion> read_repulsion(const TableReader& root);
+
 /// Reads [[walls]], of which at most one may be outer.
 std::vector<Wall> read_walls(const TableReader& root, const std::filesystem::path& directory);
 

@@ -101,6 +101,13 @@ inline constexpr Requirement<std::array<double, 4>> any_box{
 inline constexpr Requirement<double> positive_number{"a number > 0",
                                                      [](const double& x) { return x > 0.0; }};
 
+/// A finite number >= 0.
+inline constexpr Requirement<double> nonnegative_number{"a number >= 0",
+                                                        [](const double& x) { return x >= 0.0; }};
+
+/// A list of finite numbers.
+inline constexpr Requirement<std::vector<double>> any_numbers{"a list of numbers"};
+
 /// A part of a whole.
 inline constexpr Requirement<double> proper_fraction{
     "a number > 0 and < 1", [](const double& x) { return x > 0.0 && x < 1.0; }};

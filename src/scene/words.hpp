@@ -34,6 +34,12 @@ inline const Words<BackgroundFlow, 6> flow_kinds{{{"quiescent", QuiescentFlow{}}
                                                   {"taylor_green", TaylorGreenFlow{}},
                                                   {"linear", LinearFlow{}}}};
 
+/// Words of `kind` in `amplitude`, in the order of the variant.
+inline const Words<Amplitude, 4> amplitude_kinds{{{"constant", ConstantAmplitude{}},
+                                                  {"steps", SteppedAmplitude{}},
+                                                  {"ramp", RampedAmplitude{}},
+                                                  {"oscillation", OscillatingAmplitude{}}}};
+
 /// Words of `kind` in `motion` of [[walls]], in the order of the variant.
 inline const Words<WallMotion, 5> motion_kinds{{{"fixed", FixedWall{}},
                                                 {"rotating", RotatingWall{}},

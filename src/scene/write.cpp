@@ -88,7 +88,8 @@ Entry node_entry(int n_nodes) {
   return n_nodes == automatic_nodes ? Entry("n_nodes", automatic_word) : Entry("n_nodes", n_nodes);
 }
 
-// Returns the entries of a flow, wall motion or shape. The words are in the order of its types.
+// Returns the entries of a flow, wall motion, shape or amplitude. The words are in the order of
+// its types.
 template <class... Kinds>
 Entries entries_of(std::variant<Kinds...> variant, const auto& words) {
   Entries entries{{"kind", words[variant.index()].name}};
@@ -102,6 +103,12 @@ Entries entries_of(std::variant<Kinds...> variant, const auto& words) {
   return entries;
 }
 
+Entry amplitude_entry(const Amplitude& amplitude) {
+  std::optional<Entries> entries;
+  if (amplitude != Amplitude{}) entries = entries_of(amplitude, amplitude_kinds);
+  return {"amplitude", entries};
+}
+
 std::string lines(const Entries& entries) {
   std::string text;
   for (const Entry& entry : entries) text += entry.text.empty() ? "" : entry.text + "\n";
@@ -110,8 +117,22 @@ std::string lines(const Entries& entries) {
 
 std::string flow_section(const Scene& scene) {
   return "\n[flow]\n" + (is_enclosed(scene) ? "" : lines(entries_of(scene.flow, flow_kinds))) +
-         lines({{"gauge_length", scene.gauge_length}}) +
+         lines({amplitude_entry(scene.flow_amplitude), {"gauge_length", scene.gauge_length}}) +
          (scene.reverse_at.empty() ? "" : lines({{"reverse_at", scene.reverse_at}}));
+}
+
+std::string load_lines(const LoadLaws& loads) {
+  std::optional<Entries> trap;
+  if (loads.trap) {
+    trap = Entries{{"stiffness", loads.trap->stiffness}};
+    if (loads.trap->centre) trap->emplace_back("centre", *loads.trap->centre);
+  }
+  std::optional<Complex> moment;
+  if (loads.magnetic_moment != Complex{}) moment = loads.magnetic_moment;
+  return lines({amplitude_entry(loads.amplitude),
+                {"density", loads.density},
+                {"trap", trap},
+                {"magnetic_moment", moment}});
 }
 
 std::string section(const Wall& wall) {
@@ -120,7 +141,8 @@ std::string section(const Wall& wall) {
                                   {"position", wall.position},
                                   {"orientation", wall.orientation},
                                   node_entry(wall.n_nodes),
-                                  {"motion", entries_of(wall.motion, motion_kinds)}});
+                                  {"motion", entries_of(wall.motion, motion_kinds)},
+                                  amplitude_entry(wall.amplitude)});
 }
 
 std::string section(const Body& body) {
@@ -131,18 +153,41 @@ std::string section(const Body& body) {
          lines({{"shape", entries_of(body.shape, shape_kinds)},
                 {"position", body.position},
                 {"orientation", body.orientation}}) +
-         driving + lines({node_entry(body.n_nodes)});
+         driving + load_lines(body.loads) + lines({node_entry(body.n_nodes)});
 }
 
 std::string section(const Fill& fill) {
   std::optional<Entries> region;
   if (fill.box) region = Entries{{"box", *fill.box}};
-  return "\n[[fill]]\n" + lines({{"shape", entries_of(fill.shape, shape_kinds)},
-                                 {"area_fraction", fill.area_fraction},
-                                 {"count", fill.count},
-                                 {"region", region},
-                                 {"clearance", fill.clearance},
-                                 node_entry(fill.n_nodes)});
+  return "\n[[fill]]\n" +
+         lines({{"shape", entries_of(fill.shape, shape_kinds)},
+                {"area_fraction", fill.area_fraction},
+                {"count", fill.count},
+                {"region", region},
+                {"clearance", fill.clearance},
+                node_entry(fill.n_nodes)}) +
+         (fill.force == Complex{} ? "" : lines({{"force", fill.force}})) +
+         (fill.torque == 0.0 ? "" : lines({{"torque", fill.torque}})) + load_lines(fill.loads);
+}
+
+// Returns the sections [gravity], [magnetic_field] and [repulsion] that a scene has.
+std::string load_sections_of(const Scene& scene) {
+  std::string text;
+  if (const auto& gravity = scene.gravity) {
+    text += "\n[gravity]\n" + lines({{"acceleration", gravity->acceleration},
+                                     {"fluid_density", gravity->fluid_density},
+                                     amplitude_entry(gravity->amplitude)});
+  }
+  if (const auto& magnetic = scene.magnetic_field) {
+    text += "\n[magnetic_field]\n" + lines({{"field", magnetic->field},
+                                            {"frequency", magnetic->frequency},
+                                            amplitude_entry(magnetic->amplitude)});
+  }
+  if (const auto& repulsion = scene.repulsion) {
+    text +=
+        "\n[repulsion]\n" + lines({{"strength", repulsion->strength}, {"range", repulsion->range}});
+  }
+  return text;
 }
 
 std::string section(const SolverSettings& solver) {
@@ -198,7 +243,7 @@ std::string to_toml(const SceneFile& file) {
   for (const Wall& wall : scene.walls) text += section(wall);
   for (const Body& body : scene.bodies) text += section(body);
   for (const Fill& fill : fills) text += section(fill);
-  text += section(scene.solver);
+  text += load_sections_of(scene) + section(scene.solver);
   if (scene.time) text += section(*scene.time);
   if (scene.contact) text += section(*scene.contact);
   return text + section(scene.output);

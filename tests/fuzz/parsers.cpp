@@ -25,7 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace stokesbook;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   refuse_or_read([&] {
-    scene_text::parse_csv(text, "bodies.csv", {"x,y", "x,y,theta", "cx,cy,semi_a,semi_b,theta"});
+    scene_text::parse_csv(text, "bodies.csv",
+                          {"x,y", [](const auto& columns) { return columns.size() > 1; }});
   });
   // A scene that was read must be the same after writing and reading.
   refuse_or_read([&] {

@@ -21,8 +21,8 @@ BOOST_AUTO_TEST_CASE(flow) {
       {"[flow]\nkind = 'taylor_green'\nrate = 'fast'\n",
        "s.toml:3:8: flow.rate = \"fast\": must be a number, not a string"},
       {"[flow]\nkind = 'uniform'\nrate = 1\n",
-       "s.toml:3:1: flow.rate = 1: unknown key; valid keys: kind, velocity, gauge_length, "
-       "reverse_at"},
+       "s.toml:3:1: flow.rate = 1: unknown key; valid keys: kind, velocity, amplitude, "
+       "gauge_length, reverse_at"},
       {"[flow]\nkind = 'uniform'\n",
        "s.toml:1:1: flow.velocity is missing: must be two numbers [x, y]"},
       {"[flow]\nkind = 'uniform'\nvelocity = 1\n",
@@ -37,10 +37,11 @@ BOOST_AUTO_TEST_CASE(flow) {
        "s.toml:3:8: flow.rate = 1e-200: must be 0 or have a magnitude from 1e-100 to 1e100; change "
        "the units"},
       {"[flow]\nrate = 1\n",
-       "s.toml:2:1: flow.rate = 1: unknown key; valid keys: kind, gauge_length, reverse_at"},
-      {"[flow]\nkind = 'shear'\nrate = 1\nvelocity = [1, 0]\n",
-       "s.toml:4:1: flow.velocity = [1, 0]: unknown key; valid keys: kind, rate, gauge_length, "
+       "s.toml:2:1: flow.rate = 1: unknown key; valid keys: kind, amplitude, gauge_length, "
        "reverse_at"},
+      {"[flow]\nkind = 'shear'\nrate = 1\nvelocity = [1, 0]\n",
+       "s.toml:4:1: flow.velocity = [1, 0]: unknown key; valid keys: kind, rate, amplitude, "
+       "gauge_length, reverse_at"},
       {"[flow]\nkind = 'linear'\n",
        "s.toml:1:1: flow.gradient is missing: must be two rows of two numbers [[a, b], [c, d]]"},
       {"[flow]\nkind = 'linear'\ngradient = [[1, 0], [0, 1]]\n",

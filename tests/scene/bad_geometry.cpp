@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(walls) {
        "s.toml:5:15: walls[0].orientation = [1]: must be a number, not an array of 1"},
       {wall("force = [0, 0]\n"),
        "s.toml:5:1: walls[0].force = [0, 0]: unknown key; valid keys: role, shape, position, "
-       "orientation, n_nodes, motion"},
+       "orientation, n_nodes, motion, amplitude"},
       {wall("motion = 'fixed'\n"),
        "s.toml:5:10: walls[0].motion = \"fixed\": must be a table, not a string"},
       {wall("motion = { omega = 1 }\n"),
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(bodies) {
        "s.toml:4:9: bodies[0].omega = [1]: must be a number, not an array of 1"},
       {disk("mass = 1\n"),
        "s.toml:3:1: bodies[0].mass = 1: unknown key; valid keys: shape, position, orientation, "
-       "force, torque, held, velocity, omega, n_nodes"},
+       "force, torque, held, velocity, omega, n_nodes, amplitude, density, trap, magnetic_moment"},
       {disk() + disk("n_nodes = 9\n"),
        "s.toml:6:11: bodies[1].n_nodes = 9: must be an even integer >= 8 or \"auto\" (try 10)"},
   });
@@ -183,7 +183,8 @@ BOOST_AUTO_TEST_CASE(fills) {
        "s.toml:9:13: fill[0].clearance = -0.1: must be a number >= 0"},
       {tank() + fill("count = 5\nposition = [0, 0]\n"),
        "s.toml:9:1: fill[0].position = [0, 0]: unknown key; valid keys: shape, sizes, "
-       "area_fraction, count, region, clearance, n_nodes"},
+       "area_fraction, count, region, clearance, n_nodes, force, torque, amplitude, density, trap, "
+       "magnetic_moment"},
       {tank() + fill("area_fraction = 0.5\nsizes = [1.0, 2.0]\n"),
        "s.toml:9:10: fill[0].sizes[0] = 1.0: must be two numbers > 0, not a float"},
       {tank() + fill("area_fraction = 0.5\nsizes = [[1.0, 0.0]]\n"),

@@ -57,6 +57,14 @@ int random_nodes(Dice& dice) {
   return dice.coin() ? automatic_nodes : 2 * dice.integer(4, 200);
 }
 
+Amplitude random_amplitude(Dice& dice) {
+  const double first = dice.positive(), second = 2.0 * first;
+  return dice.one_of<Amplitude>(
+      {ConstantAmplitude{}, SteppedAmplitude{{0.0, first, second}, {1.0, dice.number(), 0.0}},
+       RampedAmplitude{{first, second}, {dice.number(), dice.number()}},
+       OscillatingAmplitude{dice.number(), dice.number(), dice.positive(), dice.number()}});
+}
+
 Wall random_wall(Dice& dice, WallRole role) {
   Wall wall{role, random_shape(dice), dice.vector(), dice.number(), random_nodes(dice), {}};
   const Eigen::Matrix2d gradient{{dice.number(), dice.number()}, {dice.number(), dice.number()}};
@@ -66,6 +74,7 @@ Wall random_wall(Dice& dice, WallRole role) {
     wall.shape = Circle{dice.positive()};
     wall.motion = RadialWall{dice.number()};
   }
+  if (!std::holds_alternative<FixedWall>(wall.motion)) wall.amplitude = random_amplitude(dice);
   return wall;
 }
 
@@ -77,6 +86,9 @@ Body random_body(Dice& dice) {
             .n_nodes = random_nodes(dice)};
   (body.held ? body.velocity : body.force) = dice.vector();
   (body.held ? body.omega : body.torque) = dice.number();
+  if (dice.coin()) body.loads.amplitude = random_amplitude(dice);
+  if (!body.held && dice.coin()) body.loads.trap = Trap{dice.positive(), {}};
+  if (body.loads.trap && dice.coin()) body.loads.trap->centre = dice.vector();
   return body;
 }
 
@@ -88,6 +100,9 @@ Fill random_fill(Dice& dice, bool enclosed) {
     fill.box = {-dice.positive(), -dice.positive(), dice.positive(), dice.positive()};
   }
   fill.clearance = dice.coin() ? dice.positive() : 0.0;
+  if (dice.coin()) fill.force = dice.vector();
+  if (dice.coin()) fill.torque = dice.number();
+  if (dice.coin()) fill.loads.trap = Trap{dice.positive(), dice.vector()};
   return fill;
 }
 
@@ -98,6 +113,27 @@ void add_flow(Scene& scene, Dice& dice) {
       {QuiescentFlow{}, UniformFlow{dice.vector()}, ShearFlow{dice.number()},
        ExtensionalFlow{dice.number()}, TaylorGreenFlow{dice.number()}, LinearFlow{gradient}});
   if (dice.coin()) scene.gauge_length = dice.positive();
+  if (!std::holds_alternative<QuiescentFlow>(scene.flow)) {
+    scene.flow_amplitude = random_amplitude(dice);
+  }
+}
+
+/// Adds sections of loads, and the properties of bodies that they require.
+void add_loads(SceneFile& file, Dice& dice) {
+  auto& [scene, fills] = file;
+  if (dice.coin()) scene.gravity = Gravity{dice.vector(), dice.positive(), random_amplitude(dice)};
+  if (dice.coin()) {
+    scene.magnetic_field = MagneticField{dice.vector(), dice.number(), random_amplitude(dice)};
+  }
+  if (dice.coin()) scene.repulsion = Repulsion{dice.positive(), dice.positive()};
+  const auto add = [&](LoadLaws& loads) {
+    if (scene.gravity) loads.density = dice.positive();
+    if (scene.magnetic_field && dice.coin()) loads.magnetic_moment = dice.vector();
+  };
+  for (Body& body : scene.bodies) {
+    if (!body.held) add(body.loads);
+  }
+  for (Fill& fill : fills) add(fill.loads);
 }
 
 TimeSettings fixed_steps(Dice& dice) {
@@ -193,6 +229,7 @@ SceneFile random_file(Dice& dice) {
   if (dice.coin()) scene.reverse_at = {0.1, 0.1 + dice.positive()};
   for (int k = dice.integer(1, 4); k > 0; --k) scene.bodies.push_back(random_body(dice));
   for (int k = dice.integer(0, 2); k > 0; --k) fills.push_back(random_fill(dice, enclosed));
+  if (dice.coin()) add_loads(file, dice);
   add_settings(file, dice);
   return file;
 }

@@ -57,6 +57,18 @@ class Folder {
   std::filesystem::path path_;
 };
 
+/// Returns the error of a scene whose a.csv has the given lines, without the name of the folder.
+inline std::string error_with_csv(const std::string& scene, const std::string& csv) {
+  const Folder folder;
+  folder.write("a.csv", csv);
+  std::string message = error_of(scene, {}, folder.path());
+  const std::string name = folder.at("");
+  for (std::size_t at = 0; (at = message.find(name)) != std::string::npos;) {
+    message.erase(at, name.size());
+  }
+  return message;
+}
+
 /// Returns a scene of one body, whose shape is on line 2.
 inline std::string body_with_shape(const std::string& shape) {
   return "[[bodies]]\nshape = " + shape + "\nn_nodes = 32\n";

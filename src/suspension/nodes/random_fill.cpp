@@ -164,7 +164,9 @@ std::vector<Body> insert_bodies(const Fill& fill, std::ptrdiff_t count,
     if (fill.box && !contains(box, body.curve.nodes)) continue;
     if (!obstacles.leave_room_for(body, fill.clearance)) continue;
     obstacles.add(body);
-    bodies.push_back({fill.shape, position, orientation, {}, 0.0, false, {}, 0.0, fill.n_nodes});
+    Body& placed = bodies.emplace_back(fill.shape, position, orientation, fill.force, fill.torque);
+    placed.n_nodes = fill.n_nodes;
+    placed.loads = fill.loads;
     attempts = 0;
   }
   return bodies;
