@@ -1,15 +1,27 @@
 // Computes what drives the flow at a time: the factors of the background flow and of the prescribed
-// motions, and the loads on free bodies (chapter 12).
+// motions, and the loads on free bodies, which may depend on their places (chapter 12).
 #include "suspension/bodies/forcing.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 #include "suspension/bodies/components.hpp"
+#include "suspension/bodies/gaps.hpp"
 
 namespace stokesbook {
 
+using Eigen::Index;
+
 namespace {
+
+using std::numbers::pi;
+
+// Beyond so many ranges, a repulsion is less than the rounding error of its strength.
+constexpr double longest_repulsion = 40.0;
 
 // Returns 1, or -1 after an odd number of reversals.
 double reversal_sign(const Scene& scene, double t) {
@@ -17,7 +29,102 @@ double reversal_sign(const Scene& scene, double t) {
   return passed % 2 == 0 ? 1.0 : -1.0;
 }
 
+// Evaluates an amplitude at a time.
+struct AmplitudeAt {
+  StepTime time;
+
+  double operator()(const ConstantAmplitude&) const { return 1.0; }
+  double operator()(const SteppedAmplitude& steps) const {
+    const auto next = std::ranges::upper_bound(steps.times, time.begin);
+    const auto passed = static_cast<std::size_t>(next - steps.times.begin());
+    return steps.values[std::max<std::size_t>(passed, 1) - 1];
+  }
+  double operator()(const RampedAmplitude& ramp) const {
+    const auto next = std::ranges::upper_bound(ramp.times, time.t);
+    if (next == ramp.times.begin()) return ramp.values.front();
+    if (next == ramp.times.end()) return ramp.values.back();
+    const auto k = static_cast<std::size_t>(next - ramp.times.begin());
+    const double begin = ramp.times[k - 1];
+    return std::lerp(ramp.values[k - 1], ramp.values[k], (time.t - begin) / (*next - begin));
+  }
+  double operator()(const OscillatingAmplitude& oscillation) const {
+    const auto& [mean, swing, period, phase] = oscillation;
+    return mean + swing * std::cos(2.0 * pi * time.t / period + phase);
+  }
+};
+
+double value(const Amplitude& amplitude, const StepTime& time) {
+  return std::visit(AmplitudeAt{time}, amplitude);
+}
+
+// Collects the amplitudes of flow, motions and loads.
+std::vector<const Amplitude*> amplitudes_of(const Scene& scene) {
+  std::vector<const Amplitude*> amplitudes{&scene.flow_amplitude};
+  for (const Wall& wall : scene.walls) amplitudes.push_back(&wall.amplitude);
+  for (const Body& body : scene.bodies) amplitudes.push_back(&body.loads.amplitude);
+  if (scene.gravity) amplitudes.push_back(&scene.gravity->amplitude);
+  if (scene.magnetic_field) amplitudes.push_back(&scene.magnetic_field->amplitude);
+  return amplitudes;
+}
+
+// Adds a force that acts at an offset from the position of a body.
+void add(Load& load, Complex force, Complex offset) {
+  load.force += force;
+  load.torque += cross(offset, force);
+}
+
+// Adds to both components of each pair the force strength exp(-gap / range) at the closest points,
+// along the line through them: forces and torques of the two are equal and opposite.
+void add_repulsion(std::vector<Load>& loads, const Scene& scene,
+                   const Discretisation& discretisation, const Configuration& configuration) {
+  const auto [strength, range] = *scene.repulsion;
+  for (const auto& [a, b, closest] :
+       gaps_within(configuration, discretisation, longest_repulsion * range)) {
+    const Complex apart = closest.point_b - closest.point_a;
+    if (apart == 0.0) continue;  // curves that touch are refused
+    const Complex force = strength * std::exp(-closest.gap / range) * apart / std::abs(apart);
+    const auto act = [&](std::size_t k, Complex own, Complex point) {
+      if (component_of(scene, k).kind != ComponentKind::free_body) return;
+      add(loads[k], own, point - configuration[k].position);
+    };
+    act(a, -force, closest.point_a);
+    act(b, force, closest.point_b);
+  }
+}
+
+// Computes the part of the forcing that changes its sign at reversals.
+Forcing reversible_forcing(const Scene& scene, const Discretisation& discretisation,
+                           const StepTime& time, const Configuration& configuration) {
+  Forcing forcing{value(scene.flow_amplitude, time), {}, {}};
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const Body& body = scene.bodies[k];
+    const double factor = value(body.loads.amplitude, time);
+    forcing.motions.push_back(factor);
+    Load& load = forcing.loads.emplace_back(factor * body.force, factor * body.torque);
+    if (!scene.gravity || !body.loads.density) continue;
+    // Weight minus buoyancy, (rho_k - rho) A g, acts at the centroid of the area A.
+    const Curve& curve = discretisation[k]->curve;
+    const Complex acceleration =
+        value(scene.gravity->amplitude, time) * scene.gravity->acceleration;
+    add(load, (*body.loads.density - scene.gravity->fluid_density) * area(curve) * acceleration,
+        std::polar(1.0, configuration[k].orientation) * area_centroid(curve));
+  }
+  for (const Wall& wall : scene.walls) forcing.motions.push_back(value(wall.amplitude, time));
+  return forcing;
+}
+
 }  // namespace
+
+Complex area_centroid(const Curve& curve) {
+  const double h = 2.0 * pi / static_cast<double>(curve.size());
+  // Green's theorem gives int f dA = 1/(2i) oint F dz for f = dF / d conj(z).
+  Complex area{}, moment{};
+  for (Index j = 0; j < curve.size(); ++j) {
+    area += std::conj(curve.x[j]) * curve.dx[j];
+    moment += curve.x[j] * std::conj(curve.x[j]) * curve.dx[j];
+  }
+  return (h / (2.0 * imaginary) * moment) / (h / (2.0 * imaginary) * area);
+}
 
 Forcing scaled(double factor, Forcing forcing) {
   forcing.flow *= factor;
@@ -29,15 +136,54 @@ Forcing scaled(double factor, Forcing forcing) {
   return forcing;
 }
 
-Forcing forcing_at(const Scene& scene, const StepTime& time) {
-  Forcing forcing;
-  forcing.motions.assign(count_components(scene).all(), 1.0);
-  for (const Body& body : scene.bodies) forcing.loads.push_back({body.force, body.torque});
-  return scaled(reversal_sign(scene, time.begin), std::move(forcing));
+Forcing forcing_at(const Scene& scene, const Discretisation& discretisation, const StepTime& time,
+                   const Configuration& configuration) {
+  Forcing forcing = scaled(reversal_sign(scene, time.begin),
+                           reversible_forcing(scene, discretisation, time, configuration));
+  Complex field{};
+  if (scene.magnetic_field) {
+    const auto& [at_start, frequency, amplitude] = *scene.magnetic_field;
+    field = value(amplitude, time) * at_start * std::polar(1.0, 2.0 * pi * frequency * time.t);
+  }
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    const auto& [amplitude, density, trap, moment] = scene.bodies[k].loads;
+    const auto& [position, orientation] = configuration[k];
+    Load& load = forcing.loads[k];
+    if (trap) {
+      load.force += trap->stiffness * (trap->centre.value_or(scene.bodies[k].position) - position);
+    }
+    // The torque m x B, where the moment m turns with the body, and the field B on its own.
+    if (moment != 0.0) load.torque += cross(std::polar(1.0, orientation) * moment, field);
+  }
+  if (scene.repulsion) add_repulsion(forcing.loads, scene, discretisation, configuration);
+  return forcing;
 }
 
 std::vector<double> forcing_events(const Scene& scene) {
-  return scene.reverse_at;
+  std::vector<double> events = scene.reverse_at;
+  const auto add_times = [&](const auto& amplitude) {
+    if constexpr (requires { amplitude.times; }) {
+      std::ranges::copy_if(amplitude.times, std::back_inserter(events),
+                           [](double t) { return t > 0.0; });
+    }
+  };
+  for (const Amplitude* amplitude : amplitudes_of(scene)) std::visit(add_times, *amplitude);
+  std::ranges::sort(events);
+  events.erase(std::unique(events.begin(), events.end()), events.end());
+  return events;
+}
+
+double shortest_period(const Scene& scene) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Amplitude* amplitude : amplitudes_of(scene)) {
+    if (const auto* oscillation = std::get_if<OscillatingAmplitude>(amplitude)) {
+      shortest = std::min(shortest, oscillation->period);
+    }
+  }
+  if (scene.magnetic_field && scene.magnetic_field->frequency != 0.0) {
+    shortest = std::min(shortest, 1.0 / std::abs(scene.magnetic_field->frequency));
+  }
+  return shortest;
 }
 
 }  // namespace stokesbook

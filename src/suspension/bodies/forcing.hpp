@@ -5,6 +5,7 @@
 #include "closure/closure.hpp"
 #include "scene/scene.hpp"
 #include "suspension/bodies/configuration.hpp"
+#include "suspension/bodies/discretised_shape.hpp"
 
 namespace stokesbook {
 
@@ -21,7 +22,7 @@ struct StepTime {
 struct Forcing {
   double flow = 1.0;            ///< factor of the background flow
   std::vector<double> motions;  ///< factor of the prescribed motion of each component
-  std::vector<Load> loads;      ///< load on each body, about its position; zero on held bodies
+  std::vector<Load> loads;      ///< load on each body, about its position; of no effect if held
 };
 
 /// The data on which the flow of an instant depends, in addition to the scene.
@@ -33,10 +34,20 @@ struct Instant {
 /// Multiplies flow, motions and loads by a factor.
 Forcing scaled(double factor, Forcing forcing);
 
-/// Computes the forcing of a scene at a time.
-Forcing forcing_at(const Scene& scene, const StepTime& time);
+/// Returns the centroid of the area that a curve encloses, length.
+Complex area_centroid(const Curve& curve);
+
+/// Computes the forcing of a scene at a time in a configuration.
+///
+/// @param  discretisation  determines areas and gaps, to the accuracy of the trapezoid rule
+/// @par Cost  O(nodes); with repulsion, that of gaps_within()
+Forcing forcing_at(const Scene& scene, const Discretisation& discretisation, const StepTime& time,
+                   const Configuration& configuration);
 
 /// Returns the ascending times > 0 at which the forcing of a scene is not smooth in time.
 std::vector<double> forcing_events(const Scene& scene);
+
+/// Returns the shortest period of the forcing of a scene; infinite if nothing oscillates.
+double shortest_period(const Scene& scene);
 
 }  // namespace stokesbook

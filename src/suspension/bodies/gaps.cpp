@@ -69,6 +69,26 @@ class BroadPhase {
   std::optional<RectangleIndex> index_;
 };
 
+std::vector<SmoothCurve> placed_curves(const Configuration& configuration,
+                                       const Discretisation& discretisation) {
+  std::vector<SmoothCurve> curves;
+  for (std::size_t k = 0; k < configuration.size(); ++k) {
+    curves.push_back(smooth_curve(*discretisation[k], configuration[k]));
+  }
+  return curves;
+}
+
+std::vector<Gap> measure(const std::vector<ComponentPair>& pairs,
+                         const std::vector<SmoothCurve>& curves) {
+  std::vector<Gap> gaps;
+  for (const auto& [a, b] : pairs) gaps.push_back({a, b, {}});
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    gaps[i].points = closest_points(curves[gaps[i].a], curves[gaps[i].b]);
+  }
+  return gaps;
+}
+
 // Returns the closest of the pairs out of reach if its gap is less than a bound.
 std::optional<Gap> closest_beyond_reach(const BroadPhase& broad, const std::vector<double>& reach,
                                         const std::vector<SmoothCurve>& curves, double bound) {
@@ -102,17 +122,11 @@ std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisat
   if (configuration.size() < 2) return {};
   const BroadPhase broad(configuration, discretisation);
   std::vector<double> reach;
-  std::vector<SmoothCurve> curves;
-  for (std::size_t k = 0; k < configuration.size(); ++k) {
-    reach.push_back(near_reach(discretisation[k]->curve, tolerance));
-    curves.push_back(smooth_curve(*discretisation[k], configuration[k]));
+  for (const auto& discretised : discretisation) {
+    reach.push_back(near_reach(discretised->curve, tolerance));
   }
-  std::vector<Gap> gaps;
-  for (const auto& [a, b] : broad.pairs_within(reach)) gaps.push_back({a, b, {}});
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t i = 0; i < gaps.size(); ++i) {
-    gaps[i].points = closest_points(curves[gaps[i].a], curves[gaps[i].b]);
-  }
+  const std::vector<SmoothCurve> curves = placed_curves(configuration, discretisation);
+  std::vector<Gap> gaps = measure(broad.pairs_within(reach), curves);
   const auto width = [](const Gap& gap) { return gap.points.gap; };
   std::ranges::stable_sort(gaps, {}, width);
   // A pair out of reach is added only if it is the closest of all pairs.
@@ -121,6 +135,13 @@ std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisat
     gaps.insert(gaps.begin(), *closest);
   }
   return gaps;
+}
+
+std::vector<Gap> gaps_within(const Configuration& configuration,
+                             const Discretisation& discretisation, double distance) {
+  const BroadPhase broad(configuration, discretisation);
+  return measure(broad.pairs_within(std::vector<double>(configuration.size(), distance)),
+                 placed_curves(configuration, discretisation));
 }
 
 }  // namespace stokesbook

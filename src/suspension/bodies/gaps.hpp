@@ -25,4 +25,11 @@ struct Gap {
 std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisation& discretisation,
                            double tolerance);
 
+/// Finds the gaps of all pairs whose bounding circles are nearer to each other than a distance.
+///
+/// @return    in ascending order of the pairs
+/// @par Cost  N_a N_b distances per close pair
+std::vector<Gap> gaps_within(const Configuration& configuration,
+                             const Discretisation& discretisation, double distance);
+
 }  // namespace stokesbook

@@ -10,6 +10,7 @@
 #include "fmm/fmm.hpp"
 #include "scene/words.hpp"
 #include "suspension/bodies/components.hpp"
+#include "suspension/bodies/forcing.hpp"
 #include "suspension/nodes/node_choice.hpp"
 #include "suspension/solver/fields.hpp"
 #include "text/number_text.hpp"
@@ -61,10 +62,44 @@ PlanLine singularity_line(const ComponentCounts& counts, const Scene& scene) {
     return {"singularities", "Stokeslets and rotlets in the density's functionals",
             "forces and torques of inner walls and held bodies are unknown"};
   }
-  const bool loaded = std::ranges::any_of(
-      scene.bodies, [](const Body& body) { return body.force != Complex{} || body.torque != 0.0; });
-  if (loaded) return {"singularities", "given Stokeslets and rotlets", "loads on bodies"};
+  const bool loaded = std::ranges::any_of(scene.bodies, [](const Body& body) {
+    const LoadLaws& laws = body.loads;
+    return body.force != Complex{} || body.torque != 0.0 || laws.density || laws.trap ||
+           laws.magnetic_moment != Complex{};
+  });
+  if (loaded || scene.repulsion)
+    return {"singularities", "given Stokeslets and rotlets", "loads on bodies"};
   return {"singularities", "none", "no loads, no inner walls, no held bodies"};
+}
+
+// Describes the loads that depend on place, and the changes of the forcing in time; no lines if
+// there are none.
+std::vector<PlanLine> forcing_lines(const Scene& scene) {
+  std::vector<std::string> laws;
+  if (scene.gravity) laws.push_back("weight minus buoyancy");
+  if (std::ranges::any_of(scene.bodies, [](const Body& body) { return !!body.loads.trap; })) {
+    laws.push_back("traps");
+  }
+  if (scene.magnetic_field) laws.push_back("magnetic torques");
+  if (scene.repulsion) {
+    laws.push_back("repulsion " + short_number(scene.repulsion->strength) + " exp(-gap / " +
+                   short_number(scene.repulsion->range) + ")");
+  }
+  std::vector<PlanLine> lines;
+  if (!laws.empty()) lines.push_back({"loads", joined(laws), "computed in each configuration"});
+  const std::size_t jumps = forcing_events(scene).size() - scene.reverse_at.size();
+  if (jumps > 0) {
+    lines.push_back({"amplitudes", "steps end at " + number_of(jumps, "time", "times"),
+                     "an amplitude jumps or changes its slope there"});
+  }
+  const double period = shortest_period(scene);
+  if (std::isfinite(period)) {
+    const bool adapts = scene.time && adapts_steps(*scene.time);
+    lines.push_back({"amplitudes", "shortest period " + short_number(period),
+                     adapts ? "steps are not longer than a quarter of it"
+                            : "steps of fixed length must resolve it"});
+  }
+  return lines;
 }
 
 PlanLine near_correction_line(const Plan& plan, const Scene& scene) {
@@ -132,6 +167,7 @@ std::vector<PlanLine> plan_lines(const Plan& plan, const Scene& scene) {
   const ComponentCounts counts = count_components(scene);
   std::vector<PlanLine> lines{problem_line(counts, scene), far_field_line(counts, scene),
                               singularity_line(counts, scene)};
+  std::ranges::move(forcing_lines(scene), std::back_inserter(lines));
   lines.push_back(plan.null_space_fix ? PlanLine{"N_0", "yes", "an enclosing wall has a null space"}
                                       : PlanLine{"N_0", "no", "no enclosing wall"});
   lines.push_back(near_correction_line(plan, scene));

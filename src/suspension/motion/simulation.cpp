@@ -117,7 +117,7 @@ void Simulation::restart() {
   if (schedule_.is_reversal(time())) {
     densities.reverse(time());
   } else {
-    densities.restart();
+    densities.clear();
   }
   instants_.memory().contact_velocities = {};
 }

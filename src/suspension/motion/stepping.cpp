@@ -43,6 +43,11 @@ SteppingSettings stepping_settings(const SuspensionSolver& solver) {
       std::min({time.t_final, time.dt.value_or(none), time.dt_max.value_or(none)});
   settings.dt_min = time.dt_min.value_or(1e-6 * longest);
   if (time.dt_max) settings.dt_max = *time.dt_max;
+  if (adapts_steps(time)) {
+    // Error estimates do not see what happens between the stages of a step.
+    settings.dt_max = std::min(settings.dt_max, 0.25 * shortest_period(solver.scene()));
+    if (settings.dt) settings.dt = std::min(*settings.dt, settings.dt_max);
+  }
   Configuration scale(solver.discretisation().size(),
                       {largest_radius(solver) * Complex{1.0, 1.0}, 1.0});
   settings.bound = {error_of_a_step * time.tolerance.value_or(default_step_tolerance),

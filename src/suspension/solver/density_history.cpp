@@ -68,10 +68,6 @@ void DensityHistory::reverse(double t) {
   }
 }
 
-void DensityHistory::restart() {
-  if (entries_.size() > 1) entries_.erase(entries_.begin(), entries_.end() - 1);
-}
-
 MatrixXcd DensityHistory::guess(double t, const Configuration& configuration,
                                 const Discretisation& discretisation) const {
   if (entries_.empty()) return {0, 1};

@@ -39,9 +39,8 @@ class DensityHistory {
   /// retrace their paths, and the density at t + s is minus the density at t - s.
   void reverse(double t);
 
-  /// Forgets all densities but the latest, which earlier ones do not extrapolate past a time at
-  /// which the forcing is not smooth.
-  void restart();
+  /// Forgets all densities: past a time at which the forcing is not smooth, none extrapolates.
+  void clear() { entries_.clear(); }
 
   /// Guesses the density at a time on nodes that may differ from those of earlier solutions.
   ///

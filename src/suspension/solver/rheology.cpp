@@ -26,6 +26,7 @@ double inner_torque(const Scene& scene, const Solution& solution) {
 
 double torque_without_bodies(Scene scene) {
   scene.bodies.clear();
+  for (Wall& wall : scene.walls) wall.amplitude = {};
   const SuspensionSolver solver(scene);
   return inner_torque(scene, solver.solve(solver.start()));
 }
@@ -33,7 +34,8 @@ double torque_without_bodies(Scene scene) {
 // Returns the factor of the rotation of a Couette cell's walls, which have the same factor.
 double rotation_factor(const Scene& scene, const Forcing& forcing) {
   const auto is_rotating = [](const Wall& wall) {
-    return std::holds_alternative<RotatingWall>(wall.motion);
+    const auto* rotating = std::get_if<RotatingWall>(&wall.motion);
+    return rotating != nullptr && rotating->omega != 0.0;
   };
   const auto number = std::ranges::find_if(scene.walls, is_rotating) - scene.walls.begin();
   return forcing.motions[scene.bodies.size() + static_cast<std::size_t>(number)];
@@ -81,8 +83,7 @@ std::optional<double> long_axis(const Curve& curve) {
     for (Index j = 0; j < curve.size(); ++j) sum += primitive(curve.x[j]) * curve.dx[j];
     return h / (2.0 * imaginary) * sum;
   };
-  const Complex area = integral([](Complex z) { return std::conj(z); });
-  const Complex centroid = integral([](Complex z) { return z * std::conj(z); }) / area;
+  const Complex centroid = area_centroid(curve);
   // int z^2 dA and int |z|^2 dA about the centroid.
   const Complex moment =
       integral([&](Complex z) { return (z - centroid) * std::norm(z - centroid); });

@@ -97,7 +97,8 @@ Instant SuspensionSolver::start() const {
 }
 
 Instant SuspensionSolver::instant(Configuration configuration, const StepTime& time) const {
-  return {std::move(configuration), forcing_at(scene_, time)};
+  Forcing forcing = forcing_at(scene_, discretisation_, time, configuration);
+  return {std::move(configuration), std::move(forcing)};
 }
 
 std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) const {
