@@ -16,7 +16,7 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/installed)
 file(RENAME ${folder}/installed ${folder}/moved)  # users may move a package
 run(${configure} -B ${folder}/package -D CMAKE_PREFIX_PATH=${folder}/moved)
 run(${CMAKE_COMMAND} --build ${folder}/package)
-foreach(program IN ITEMS one_library fast_sum mobility)
+foreach(program IN ITEMS one_library fast_sum mobility load_function)
   run(${folder}/package/${program})
 endforeach()
 

@@ -3,9 +3,11 @@
 #include "suspension/motion/instant_solver.hpp"
 
 #include <chrono>
+#include <utility>
 
 #include "suspension/solver/solver_checks.hpp"
 #include "text/number_text.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -29,10 +31,11 @@ std::string divergence_error(const Solution& lagged) {
 }  // namespace
 
 InstantSolver::InstantSolver(const SuspensionSolver& solver, const OutputSchedule& schedule,
-                             RunStatistics& statistics)
+                             RunStatistics& statistics, LoadFunction loads)
     : solver_(solver),
       schedule_(schedule),
       statistics_(statistics),
+      loads_(std::move(loads)),
       memory_{
           DensityHistory(solver.scene().solver.coupling == Coupling::local ? 1 : densities_kept)} {
   memory_.gmres_tolerance = solver.plan().gmres_tolerance;
@@ -53,18 +56,33 @@ TimedSolution InstantSolver::solve(const StepTime& time, const Configuration& co
                                    bool estimated) {
   const auto start = std::chrono::steady_clock::now();
   const double t = time.t;
-  const Instant instant = solver_.instant(configuration, time);
+  const Instant instant = this->instant(time, configuration);
   SolveMemory before = memory_;
   Solution solution =
       with_time_in_errors(t, [&] { return solve_from_guess(t, instant, estimated); });
   if (!estimated) solution.error_estimate = memory_.error_estimate;
   memory_.densities.add(t, configuration, solution.discretisation, solution.density);
   if (!solver_.scene().contact) solution.system.reset();  // only contact solves it again
+  if (loads_) memory_.motions = solution.motions;
   memory_.error_estimate = solution.error_estimate;
   memory_.solves_since_estimate = estimated ? 0 : memory_.solves_since_estimate + 1;
   statistics_.add_resolution(solution);
   statistics_.add_solve(solution);
   return {std::move(solution), std::move(before), seconds_since(start), estimated};
+}
+
+Instant InstantSolver::instant(const StepTime& time, const Configuration& configuration) const {
+  Instant instant = solver_.instant(configuration, time);
+  if (!loads_) return instant;
+  std::vector<Load>& sum = instant.forcing.loads;
+  const std::vector<Load> loads = loads_(time.t, configuration, memory_.motions);
+  require(loads.size() == sum.size(), "the load function returns ", loads.size(), " loads for ",
+          sum.size(), " bodies: it must return one for each");
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    sum[k].force += loads[k].force;
+    sum[k].torque += loads[k].torque;
+  }
+  return instant;
 }
 
 Solution InstantSolver::solve_from_guess(double t, const Instant& instant, bool estimated) const {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "suspension/motion/output_schedule.hpp"
 #include "suspension/motion/run_state.hpp"
 #include "suspension/motion/statistics.hpp"
@@ -16,6 +19,15 @@ struct TimedSolution {
   int refinements = 0;     ///< how often contact required more nodes or a tighter GMRES tolerance
 };
 
+/// Computes a load on each body, about its position, in addition to those of the scene; loads on
+/// held bodies have no effect.
+///
+/// The loads must depend on the arguments alone, because a step may be taken again. The motions of
+/// all components are those of the solve before, without contact forces; there are none in the
+/// first solve. Loads that depend on them lag by one stage, so that all steps have the order one.
+using LoadFunction = std::function<std::vector<Load>(double t, const Configuration& configuration,
+                                                     const std::vector<RigidMotion>& motions)>;
+
 /// Solves the instants of a run one after the other. GMRES begins with densities extrapolated from
 /// the solves before.
 ///
@@ -23,9 +35,11 @@ struct TimedSolution {
 /// than no guess is an error, since the sweeps diverge, as they do in crowds.
 class InstantSolver {
  public:
-  /// Starts without earlier solves. All arguments must outlive this.
+  /// Starts without earlier solves. The first three arguments must outlive this.
+  ///
+  /// @param  loads  may be empty: no other loads than those of the scene
   InstantSolver(const SuspensionSolver& solver, const OutputSchedule& schedule,
-                RunStatistics& statistics);
+                RunStatistics& statistics, LoadFunction loads);
 
   /// Solves an instant and remembers its densities. The error is estimated at written times, in the
   /// first solve, and after eight solves without an estimate; other solutions carry the latest
@@ -50,11 +64,13 @@ class InstantSolver {
  private:
   TimedSolution solve(const StepTime& time, const Configuration& configuration, bool estimated);
   Solution solve_from_guess(double t, const Instant& instant, bool estimated) const;
+  Instant instant(const StepTime& time, const Configuration& configuration) const;
   DensityGuess density_guess(double t, const Configuration& configuration) const;
 
   const SuspensionSolver& solver_;
   const OutputSchedule& schedule_;
   RunStatistics& statistics_;
+  LoadFunction loads_;
   SolveMemory memory_;
 };
 

@@ -9,8 +9,8 @@ namespace stokesbook {
 
 /// The times at which a run writes, at which its forcing is not smooth, and at which it ends.
 ///
-/// Steps end at the forcing's events and at the end of the run. They also end at written times, unless the
-/// stepping method interpolates within its steps as accurately as it steps.
+/// Steps end at forcing_events() and at the end of the run. They also end at written times, unless
+/// the stepping method interpolates within its steps as accurately as it steps.
 class OutputSchedule {
  public:
   /// Takes the times of a scene. Without [time] the run ends at t = 0.

@@ -93,6 +93,11 @@ StepMemory find_steps(const History& history) {
 
 void add_solves(History& history, const SolveMemory& solves) {
   add_vectors(history, "density", solves.densities.packed());
+  if (!solves.motions.empty()) {
+    Configuration rate;
+    for (const auto& [velocity, omega] : solves.motions) rate.push_back({velocity, omega});
+    history["motions"] = to_state(rate);
+  }
   add_vectors(history, "contact_density", solves.columns.densities.packed());
   history["contact_loads"] = solves.columns.loads.reshaped();
   add_vectors(history, "contact_velocity",
@@ -109,6 +114,11 @@ void add_solves(History& history, const SolveMemory& solves) {
 SolveMemory find_solves(const History& history, SolveMemory solves, Eigen::Index state_size) {
   const auto components = static_cast<std::size_t>(state_size / 3);
   solves.densities.unpack(find_vectors(history, "density"), components);
+  if (const auto motions = history.find("motions"); motions != history.end()) {
+    for (const auto& [velocity, omega] : to_configuration(motions->second)) {
+      solves.motions.push_back({velocity, omega});
+    }
+  }
   solves.columns.densities.unpack(find_vectors(history, "contact_density"), components);
   solves.columns.loads = history.at("contact_loads").reshaped(state_size, Eigen::AutoSize);
   std::ranges::copy(find_vectors(history, "contact_velocity"), solves.contact_velocities.begin());

@@ -14,8 +14,9 @@ namespace stokesbook {
 
 /// The results of earlier solves with which a solve begins.
 struct SolveMemory {
-  DensityHistory densities;   ///< from which GMRES begins
-  MobilityColumns columns{};  ///< columns of the contact mobility in the stage before
+  DensityHistory densities;            ///< from which GMRES begins
+  std::vector<RigidMotion> motions{};  ///< of the latest solve, where a LoadFunction takes them
+  MobilityColumns columns{};           ///< columns of the contact mobility in the stage before
   std::array<Eigen::VectorXd, 2>
       contact_velocities{};           ///< velocities that contact added in a step's stages
   Resolutions contact_resolutions{};  ///< nodes that the contact forces require; empty: none

@@ -34,13 +34,13 @@ Frame make_frame(double t, std::size_t bodies, const Solution& solution) {
 
 }  // namespace
 
-Simulation::Simulation(const SuspensionSolver& solver, Observer observer)
+Simulation::Simulation(const SuspensionSolver& solver, Observer observer, LoadFunction loads)
     : solver_(solver),
       observer_(std::move(observer)),
       schedule_(solver.scene()),
       statistics_{.errors = VectorXd::Zero(to_state(solver.start().configuration).size()),
                   .bound = stepping_settings(solver).bound},
-      instants_(solver, schedule_, statistics_),
+      instants_(solver, schedule_, statistics_, std::move(loads)),
       state_{.now = {0.0, to_state(solver.start().configuration), {}},
              .solves = instants_.memory()} {
   const std::optional<TimeSettings>& time = solver.scene().time;

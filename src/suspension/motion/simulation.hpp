@@ -35,8 +35,9 @@ class Simulation {
   /// Takes the configuration at the start of a scene with [time], or of any scene if only
   /// solve_once() is called. The solver must outlive the simulation.
   ///
+  /// @param  loads  adds to the loads of the scene; may be empty
   /// @throws std::invalid_argument when the method is not embedded and time.dt is missing
-  Simulation(const SuspensionSolver& solver, Observer observer);
+  Simulation(const SuspensionSolver& solver, Observer observer, LoadFunction loads = {});
 
   Simulation(const Simulation&) = delete;  ///< forbidden: members refer to each other
 
