@@ -35,13 +35,17 @@ inline constexpr Requirement<int> even_power{
     "an even integer from 2 to 1000, for which the curve is analytic",
     [](const int& p) { return p >= 2 && p <= 1000 && p % 2 == 0; }};
 
+/// Key of the only parameter with a default: the centre of a flow is the origin.
+inline constexpr std::string_view centre_key = "centre";
+
 /// Calls `visit(key, rule, parameter)` for each parameter of a flow, wall motion, shape or
-/// amplitude, in the order of the file. The points of a NodalCurve are not among them, because a
-/// scene may give the points or a file.
+/// amplitude, in the order of the file. The terms of a SumFlow are not among them, nor are the
+/// points of a NodalCurve, because a scene may give the points or a file.
 void visit_parameters(auto& kind, const auto& visit) {
   if constexpr (requires { kind.velocity; }) visit("velocity", any_vector, kind.velocity);
   if constexpr (requires { kind.rate; }) visit("rate", any_number, kind.rate);
   if constexpr (requires { kind.gradient; }) visit("gradient", any_gradient, kind.gradient);
+  if constexpr (requires { kind.centre; }) visit(centre_key, any_vector, kind.centre);
   if constexpr (requires { kind.omega; }) visit("omega", any_number, kind.omega);
   if constexpr (requires { kind.speed; }) visit("speed", any_number, kind.speed);
   if constexpr (requires { kind.radius; }) visit("radius", positive_number, kind.radius);
@@ -70,14 +74,14 @@ void visit_parameters(auto& kind, const auto& visit) {
 /// @param  others  valid keys of the table besides `kind` and the parameters
 template <class... Kinds>
 std::variant<Kinds...> read_parameters(std::variant<Kinds...> variant, const Node& node,
-                                       std::initializer_list<std::string_view> others = {}) {
+                                       const std::vector<std::string_view>& others = {}) {
   const auto read_all = [&](auto& kind) {
     std::vector<std::string_view> known{"kind"};
     visit_parameters(kind, [&](auto key, const auto&, const auto&) { known.push_back(key); });
-    known.insert(known.end(), others);
+    known.insert(known.end(), others.begin(), others.end());
     const TableReader table(node, known);
     visit_parameters(kind, [&](auto key, const auto& rule, auto& parameter) {
-      parameter = table.require(key, rule);
+      parameter = key == centre_key ? table.get(key, rule, parameter) : table.require(key, rule);
     });
   };
   std::visit(read_all, variant);

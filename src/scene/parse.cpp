@@ -6,7 +6,9 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "scene/parameters.hpp"
 #include "scene/sections.hpp"
@@ -25,19 +27,20 @@ constexpr Requirement<std::vector<double>> ascending_times{
       return ascending && (times.empty() || times.front() > 0.0);
     }};
 
-BackgroundFlow read_flow(const Node& node, bool enclosed) {
-  if (enclosed) {
-    TableReader(node,
-                {"kind", "rate", "velocity", "gradient", "amplitude", "gauge_length", "reverse_at"})
-        .refuse({"kind", "rate", "velocity", "gradient", "amplitude", "gauge_length"},
-                "not allowed with an outer wall, which drives the flow; only reverse_at is");
-    return QuiescentFlow{};
-  }
+// Reads [flow] or a term of a sum. A term must have a kind, and none of the other keys of [flow].
+BackgroundFlow read_flow(const Node& node, std::vector<std::string_view> others) {
   const TableReader table(node);
-  const BackgroundFlow flow = read_parameters(table.get("kind", flow_kinds, BackgroundFlow{}), node,
-                                              {"amplitude", "gauge_length", "reverse_at"});
-  if (std::holds_alternative<QuiescentFlow>(flow)) {
-    table.refuse({"amplitude"}, "has no effect: give kind, or remove it");
+  BackgroundFlow flow = others.empty() ? table.require("kind", flow_kinds)
+                                       : table.get("kind", flow_kinds, BackgroundFlow{});
+  if (std::holds_alternative<SumFlow>(flow)) others.push_back("terms");
+  flow = read_parameters(std::move(flow), node, others);
+  if (auto* sum = std::get_if<SumFlow>(&flow)) {
+    const std::string expected = "a list of flows [{ kind = \"uniform\", ... }, ...]";
+    const Node& terms = table.at("terms", expected);
+    for (const Node& term : elements_of(terms, expected)) {
+      sum->terms.push_back(read_flow(term, {}));
+    }
+    if (sum->terms.empty()) fail(terms, "must be " + expected);
   }
   // A linear flow is incompressible: div(G x) = tr G = 0, up to rounding.
   if (const auto* linear = std::get_if<LinearFlow>(&flow)) {
@@ -68,7 +71,15 @@ SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
   const bool enclosed = is_enclosed(scene);
   if (const Node* flow = root.find("flow")) {
     const TableReader table(*flow);
-    scene.flow = read_flow(*flow, enclosed);
+    if (enclosed) {
+      table.refuse(
+          {"kind", "rate", "velocity", "gradient", "centre", "terms", "amplitude", "gauge_length"},
+          "not allowed with an outer wall, which drives the flow; only reverse_at is");
+    }
+    scene.flow = read_flow(*flow, {"amplitude", "gauge_length", "reverse_at"});
+    if (std::holds_alternative<QuiescentFlow>(scene.flow)) {
+      table.refuse({"amplitude"}, "has no effect: give kind, or remove it");
+    }
     scene.flow_amplitude = read_amplitude(table);
     scene.gauge_length = table.get("gauge_length", positive_number);
     scene.reverse_at = table.get("reverse_at", ascending_times, scene.reverse_at);

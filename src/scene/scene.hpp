@@ -65,15 +65,17 @@ struct UniformFlow {
   bool operator==(const UniformFlow&) const = default;  ///< compares all members
 };
 
-/// Simple shear: u = (rate y, 0).
+/// Simple shear: u = (rate (y - c_2), 0) with the centre c.
 struct ShearFlow {
   double rate = 0.0;                                  ///< 1 / time
+  Complex centre{};                                   ///< point where u = 0, length
   bool operator==(const ShearFlow&) const = default;  ///< compares all members
 };
 
-/// Planar extension: u = rate (x, -y).
+/// Planar extension: u = rate (x - c_1, c_2 - y) with the centre c.
 struct ExtensionalFlow {
   double rate = 0.0;                                        ///< 1 / time
+  Complex centre{};                                         ///< point where u = 0, length
   bool operator==(const ExtensionalFlow&) const = default;  ///< compares all members
 };
 
@@ -83,15 +85,24 @@ struct TaylorGreenFlow {
   bool operator==(const TaylorGreenFlow&) const = default;  ///< compares all members
 };
 
-/// Linear flow: u = gradient x, where the gradient has trace zero.
+/// Linear flow: u = gradient (x - centre), where the gradient has trace zero.
 struct LinearFlow {
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  ///< 2 x 2, 1 / time
+  Complex centre{};                                    ///< point where u = 0, length
   bool operator==(const LinearFlow&) const = default;  ///< compares all members
 };
 
+struct SumFlow;
+
 /// Flow far from the bodies, in a scene without an outer wall.
 using BackgroundFlow = std::variant<QuiescentFlow, UniformFlow, ShearFlow, ExtensionalFlow,
-                                    TaylorGreenFlow, LinearFlow>;
+                                    TaylorGreenFlow, LinearFlow, SumFlow>;
+
+/// Sum of flows: u is the sum of the velocities of all terms.
+struct SumFlow {
+  std::vector<BackgroundFlow> terms{};              ///< at least one
+  bool operator==(const SumFlow&) const = default;  ///< compares all members
+};
 
 /// Wall at rest: u = 0 on the wall.
 struct FixedWall {

@@ -27,12 +27,13 @@ std::string_view name_of(T meaning, const Words<T, N>& words) {
 }
 
 /// Words of `kind` in [flow]: default values of all types of flow, in the order of the variant.
-inline const Words<BackgroundFlow, 6> flow_kinds{{{"quiescent", QuiescentFlow{}},
+inline const Words<BackgroundFlow, 7> flow_kinds{{{"quiescent", QuiescentFlow{}},
                                                   {"uniform", UniformFlow{}},
                                                   {"shear", ShearFlow{}},
                                                   {"extensional", ExtensionalFlow{}},
                                                   {"taylor_green", TaylorGreenFlow{}},
-                                                  {"linear", LinearFlow{}}}};
+                                                  {"linear", LinearFlow{}},
+                                                  {"sum", SumFlow{}}}};
 
 /// Words of `kind` in `amplitude`, in the order of the variant.
 inline const Words<Amplitude, 4> amplitude_kinds{{{"constant", ConstantAmplitude{}},

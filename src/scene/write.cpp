@@ -79,7 +79,13 @@ struct Entry {
   Entry(std::string_view key, const std::optional<T>& value)
       : text(value ? Entry(key, *value).text : "") {}
   Entry(std::string_view key, const Entries& table)
-      : text(std::string(key).append(" = { ") + joined(table, ", ", &Entry::text) + " }") {}
+      : text(std::string(key).append(" = ") + inline_table(table)) {}
+  Entry(std::string_view key, const std::vector<Entries>& tables)
+      : text(std::string(key).append(" = [") + joined(tables, ", ", inline_table) + "]") {}
+
+  static std::string inline_table(const Entries& entries) {
+    return "{ " + joined(entries, ", ", &Entry::text) + " }";
+  }
 
   std::string text;
 };
@@ -95,9 +101,16 @@ Entries entries_of(std::variant<Kinds...> variant, const auto& words) {
   Entries entries{{"kind", words[variant.index()].name}};
   const auto add_all = [&](auto& kind) {
     visit_parameters(kind, [&](auto key, const auto&, const auto& parameter) {
+      // A flow about the origin is written without a centre.
+      if (key == centre_key && text_of(parameter) == text_of(Complex{})) return;
       entries.emplace_back(key, parameter);
     });
     if constexpr (requires { kind.points; }) entries.emplace_back("points", kind.points);
+    if constexpr (requires { kind.terms; }) {
+      std::vector<Entries> terms;
+      for (const auto& term : kind.terms) terms.push_back(entries_of(term, words));
+      entries.emplace_back("terms", terms);
+    }
   };
   std::visit(add_all, variant);
   return entries;

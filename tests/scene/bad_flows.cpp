@@ -12,10 +12,10 @@ BOOST_AUTO_TEST_CASE(flow) {
   check({
       {"[flow]\nkind = 'sheer'\n",
        "s.toml:2:8: flow.kind = \"sheer\": must be one of quiescent, uniform, shear, extensional, "
-       "taylor_green, linear"},
+       "taylor_green, linear, sum"},
       {"[flow]\nkind = 1\n",
        "s.toml:2:8: flow.kind = 1: must be one of quiescent, uniform, shear, extensional, "
-       "taylor_green, linear, not an integer"},
+       "taylor_green, linear, sum, not an integer"},
       {"[flow]\nkind = 'shear'\n", "s.toml:1:1: flow.rate is missing: must be a number"},
       {"[flow]\nkind = 'extensional'\n", "s.toml:1:1: flow.rate is missing: must be a number"},
       {"[flow]\nkind = 'taylor_green'\nrate = 'fast'\n",
@@ -40,8 +40,28 @@ BOOST_AUTO_TEST_CASE(flow) {
        "s.toml:2:1: flow.rate = 1: unknown key; valid keys: kind, amplitude, gauge_length, "
        "reverse_at"},
       {"[flow]\nkind = 'shear'\nrate = 1\nvelocity = [1, 0]\n",
-       "s.toml:4:1: flow.velocity = [1, 0]: unknown key; valid keys: kind, rate, amplitude, "
+       "s.toml:4:1: flow.velocity = [1, 0]: unknown key; valid keys: kind, rate, centre, "
+       "amplitude, gauge_length, reverse_at"},
+      {"[flow]\nkind = 'shear'\nrate = 1\ncentre = 2\n",
+       "s.toml:4:10: flow.centre = 2: must be two numbers [x, y], not an integer"},
+      {"[flow]\nkind = 'uniform'\nvelocity = [1, 0]\ncentre = [1, 0]\n",
+       "s.toml:4:1: flow.centre = [1, 0]: unknown key; valid keys: kind, velocity, amplitude, "
        "gauge_length, reverse_at"},
+      {"[flow]\nkind = 'sum'\n",
+       "s.toml:1:1: flow.terms is missing: must be a list of flows [{ kind = \"uniform\", ... }, "
+       "...]"},
+      {"[flow]\nkind = 'sum'\nterms = []\n",
+       "s.toml:3:9: flow.terms = []: must be a list of flows [{ kind = \"uniform\", ... }, ...]"},
+      {"[flow]\nkind = 'sum'\nterms = [1]\n",
+       "s.toml:3:10: flow.terms[0] = 1: must be a table, not an integer"},
+      {"[flow]\nkind = 'sum'\nterms = [{ rate = 1 }]\n",
+       "s.toml:3:10: flow.terms[0].kind is missing: must be one of quiescent, uniform, shear, "
+       "extensional, taylor_green, linear, sum"},
+      {"[flow]\nkind = 'sum'\nterms = [{ kind = 'shear', rate = 1, reverse_at = [1] }]\n",
+       "s.toml:3:38: flow.terms[0].reverse_at = [1]: unknown key; valid keys: kind, rate, centre"},
+      {"[flow]\nkind = 'sum'\nterms = [{ kind = 'linear', gradient = [[1, 0], [0, 1]] }]\n",
+       "s.toml:3:40: flow.terms[0].gradient = [[1, 0], [0, 1]]: must have trace 0, as the fluid is "
+       "incompressible; its trace is 2"},
       {"[flow]\nkind = 'linear'\n",
        "s.toml:1:1: flow.gradient is missing: must be two rows of two numbers [[a, b], [c, d]]"},
       {"[flow]\nkind = 'linear'\ngradient = [[1, 0], [0, 1]]\n",
@@ -81,6 +101,9 @@ BOOST_AUTO_TEST_CASE(flow) {
       {tank() + "[flow]\ngradient = [[0, 1], [0, 0]]\n",
        "s.toml:6:1: flow.gradient = [[0, 1], [0, 0]]: not allowed with an outer wall, which drives "
        "the flow; only reverse_at is"},
+      {tank() + "[flow]\ncentre = [0, 1]\n",
+       "s.toml:6:1: flow.centre = [0, 1]: not allowed with an outer wall, which drives the flow; "
+       "only reverse_at is"},
       {tank() + "[flow]\ngauge_length = 1\n",
        "s.toml:6:1: flow.gauge_length = 1: not allowed with an outer wall, which drives the flow; "
        "only reverse_at is"},

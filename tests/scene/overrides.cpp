@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(errors_name_the_setting) {
              "32)");
   BOOST_TEST(message("flow={ kind='sheer' }") ==
              "--set flow: flow.kind = \"sheer\": must be one of quiescent, uniform, shear, "
-             "extensional, taylor_green, linear");
+             "extensional, taylor_green, linear, sum");
   BOOST_TEST(message("time.st=1") == "--set time.st: time.st = 1: unknown key, did you mean 'dt'?");
   BOOST_TEST(message("tme.dt=1") == "--set tme.dt: tme: unknown key, did you mean 'time'?");
   BOOST_TEST(message("fill.0.count=5") ==

@@ -111,7 +111,10 @@ void add_flow(Scene& scene, Dice& dice) {
   const Eigen::Matrix2d gradient{{stretch, dice.number()}, {dice.number(), -stretch}};
   scene.flow = dice.one_of<BackgroundFlow>(
       {QuiescentFlow{}, UniformFlow{dice.vector()}, ShearFlow{dice.number()},
-       ExtensionalFlow{dice.number()}, TaylorGreenFlow{dice.number()}, LinearFlow{gradient}});
+       ExtensionalFlow{dice.number(), dice.vector()}, TaylorGreenFlow{dice.number()},
+       LinearFlow{gradient, dice.vector()},
+       SumFlow{{UniformFlow{dice.vector()}, ShearFlow{dice.number(), dice.vector()},
+                SumFlow{{LinearFlow{gradient}}}}}});
   if (dice.coin()) scene.gauge_length = dice.positive();
   if (!std::holds_alternative<QuiescentFlow>(scene.flow)) {
     scene.flow_amplitude = random_amplitude(dice);

@@ -74,6 +74,12 @@ BOOST_AUTO_TEST_CASE(flows) {
               BackgroundFlow(TaylorGreenFlow{0.5})));
   BOOST_TEST((with_flow("kind = 'linear'\ngradient = [[1, 2], [3, -1]]\n").flow ==
               BackgroundFlow(LinearFlow{matrix(1, 2, 3, -1)})));
+  BOOST_TEST((with_flow("kind = 'shear'\nrate = 2\ncentre = [1, 5]\n").flow ==
+              BackgroundFlow(ShearFlow{2.0, {1.0, 5.0}})));
+  BOOST_TEST((with_flow("kind = 'sum'\ngauge_length = 3\nterms = [{ kind = 'uniform', velocity = "
+                        "[1, 2] }, { kind = 'extensional', rate = 3, centre = [4, 5] }]\n")
+                  .flow == BackgroundFlow(SumFlow{
+                               {UniformFlow{{1.0, 2.0}}, ExtensionalFlow{3.0, {4.0, 5.0}}}})));
   // Rounding errors of the trace are accepted: they are not a source of fluid.
   with_flow("kind = 'linear'\ngradient = [[1e6, 2], [3, -1000000.0000001]]\n");
   with_flow("kind = 'linear'\ngradient = [[0, 0], [0, 0]]\n");

@@ -28,6 +28,13 @@ BOOST_AUTO_TEST_CASE(formulas) {
   is(ExtensionalFlow{rate}, {rate * x, -rate * y});
   is(TaylorGreenFlow{rate}, {rate * std::cos(x) * std::sin(y), -rate * std::sin(x) * std::cos(y)});
   is(LinearFlow{gradient}, {0.2 * x + 0.5 * y, -0.9 * x - 0.2 * y});
+  const double cx = 3.0, cy = -0.6;
+  is(ShearFlow{rate, {cx, cy}}, {rate * (y - cy), 0.0});
+  is(ExtensionalFlow{rate, {cx, cy}}, {rate * (x - cx), -rate * (y - cy)});
+  is(LinearFlow{gradient, {cx, cy}},
+     {0.2 * (x - cx) + 0.5 * (y - cy), -0.9 * (x - cx) - 0.2 * (y - cy)});
+  is(SumFlow{{UniformFlow{{0.3, -0.4}}, ShearFlow{rate, {cx, cy}}, SumFlow{{ShearFlow{-0.5}}}}},
+     {0.3 + rate * (y - cy) - 0.5 * y, -0.4});
 }
 
 BOOST_AUTO_TEST_CASE(derivatives) {
@@ -38,7 +45,8 @@ BOOST_AUTO_TEST_CASE(derivatives) {
   for (const BackgroundFlow& flow :
        {BackgroundFlow{QuiescentFlow{}}, BackgroundFlow{UniformFlow{{0.3, -0.4}}},
         BackgroundFlow{ShearFlow{1.3}}, BackgroundFlow{ExtensionalFlow{1.3}},
-        BackgroundFlow{TaylorGreenFlow{1.3}}, BackgroundFlow{LinearFlow{gradient}}}) {
+        BackgroundFlow{TaylorGreenFlow{1.3}}, BackgroundFlow{LinearFlow{gradient}},
+        BackgroundFlow{SumFlow{{TaylorGreenFlow{1.3}, LinearFlow{gradient, {1.0, 2.0}}}}}}) {
     const Complex u_x = (at(flow, point + h) - at(flow, point - h)) / (2.0 * h);
     const Complex u_y =
         (at(flow, point + h * imaginary) - at(flow, point - h * imaginary)) / (2.0 * h);

@@ -99,6 +99,41 @@ BOOST_AUTO_TEST_CASE(translation_and_boost) {
   check(mixed, expected_from(solved, boosted), 1e-11);
 }
 
+// A flow about a centre, or the same flow as a sum with a uniform stream, moves bodies at this
+// centre like bodies at the origin, at any tolerance and distance.
+BOOST_AUTO_TEST_CASE(relative_motion_in_shifted_and_summed_flows) {
+  std::mt19937_64 random(49);
+  Scene crowd = scene(random_bodies(random), LinearFlow{shear_gradient()});
+  for (Body& body : crowd.bodies) body.n_nodes = automatic_nodes;
+  crowd.solver.tolerance = 1e-3;
+  const Solved here(crowd);
+  for (const double distance : {1e2, 1e4, 1e6}) {
+    const Complex shift = std::polar(distance, 0.6), stream = times(shear_gradient(), shift);
+    for (const BackgroundFlow& flow :
+         {BackgroundFlow{LinearFlow{shear_gradient(), shift}},
+          BackgroundFlow{SumFlow{{UniformFlow{-stream}, LinearFlow{shear_gradient()}}}},
+          BackgroundFlow{
+              SumFlow{{UniformFlow{-2.0 * stream}, LinearFlow{shear_gradient() / 2, shift},
+                       LinearFlow{shear_gradient() / 2, -2.0 * shift}}}}}) {
+      Scene there = crowd;
+      there.flow = flow;
+      for (Body& body : there.bodies) body.position += shift;
+      const Solved solved(there);
+      const double rounding = 1e-12 + 1e-14 * distance;
+      const Complex drift = std::get_if<SumFlow>(&flow) == nullptr
+                                ? 0.0
+                                : background_velocity(flow, ComplexVector{{shift}})[0];
+      for (std::size_t k = 0; k < crowd.bodies.size(); ++k) {
+        BOOST_TEST(std::abs(solved.motion(k).velocity - drift - here.motion(k).velocity) <
+                   rounding);
+        BOOST_TEST(std::abs(solved.motion(k).omega - here.motion(k).omega) < rounding);
+      }
+      BOOST_TEST(solved.solution.error_estimate == here.solution.error_estimate,
+                 boost::test_tools::tolerance(1e-3));
+    }
+  }
+}
+
 // The speed with which the flow carries all bodies has no effect on their relative motion, at any
 // tolerance.
 BOOST_AUTO_TEST_CASE(relative_motion_in_a_fast_flow) {

@@ -117,6 +117,8 @@ BOOST_AUTO_TEST_CASE(impossible_data) {
                 {"net force", "(0, -2)", "gauge_length"});
   Scene held = scene({held_body(Circle{1.0}, 32, 0.0, 0.0, {})}, UniformFlow{1.0});
   check_refused(held, {"uniform", "no effect", "gauge_length"});
+  held.flow = SumFlow{{ShearFlow{1.0}, SumFlow{{held.flow}}}};
+  check_refused(held, {"uniform", "no effect", "gauge_length"});
   held.gauge_length = 1.0;
   check_refused(held, {"gauge_length", "2"});
   Scene pushed = scene({body(Circle{1.0}, 32, 3.0, 0.0, {{1.0, 0.0}, 0.0})});

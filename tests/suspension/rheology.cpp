@@ -44,6 +44,10 @@ BOOST_AUTO_TEST_CASE(stresslets_of_two_circles) {
   BOOST_TEST(std::abs(sheared.stresslet - Complex(0.0, 2.0 * rate * 5.69598502258849)) < 1e-11);
   BOOST_TEST(sheared.dissipation == 2.0 * rate * rate * 5.69598502258849,
              boost::test_tools::tolerance(1e-12));
+  const Rheology summed =
+      rheology_of(pair(0.1, SumFlow{{UniformFlow{{3.0, -1.0}}, ShearFlow{rate, {0.0, 5.0}}}}));
+  BOOST_TEST(std::abs(summed.stresslet - sheared.stresslet) < 1e-11);
+  BOOST_TEST(summed.dissipation == sheared.dissipation, boost::test_tools::tolerance(1e-11));
   const Rheology stretched = rheology_of(pair(0.1, ExtensionalFlow{rate}));
   BOOST_TEST(std::abs(stretched.stresslet - 2.0 * rate * 16.8631930688144) < 1e-11);
   BOOST_TEST(stretched.dissipation == 4.0 * rate * rate * 16.8631930688144,
@@ -201,6 +205,11 @@ BOOST_AUTO_TEST_CASE(what_is_not_defined) {
   };
   BOOST_TEST(undefined_dissipation(one));
   BOOST_TEST(std::isnan(rheology_of(one).order_parameter));
+  one.flow = SumFlow{{ShearFlow{1}, TaylorGreenFlow{1}}};
+  BOOST_TEST(undefined_dissipation(one));
+  BOOST_TEST(std::isnan(rheology_of(one).order_parameter));
+  one.flow = SumFlow{{ShearFlow{1}, UniformFlow{1}}};
+  BOOST_TEST(!std::isnan(rheology_of(one).order_parameter));
   one.flow = ShearFlow{1};
   BOOST_TEST(!undefined_dissipation(one));
   one.gauge_length = 50.0;

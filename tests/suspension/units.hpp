@@ -43,12 +43,19 @@ inline BackgroundFlow in_units(const BackgroundFlow& flow, const Units& units) {
     BackgroundFlow operator()(const UniformFlow& f) const {
       return UniformFlow{units.velocity() * f.velocity};
     }
-    BackgroundFlow operator()(const ShearFlow& f) const { return ShearFlow{units.rate * f.rate}; }
+    BackgroundFlow operator()(const ShearFlow& f) const {
+      return ShearFlow{units.rate * f.rate, units.length * f.centre};
+    }
     BackgroundFlow operator()(const ExtensionalFlow& f) const {
-      return ExtensionalFlow{units.rate * f.rate};
+      return ExtensionalFlow{units.rate * f.rate, units.length * f.centre};
     }
     BackgroundFlow operator()(const LinearFlow& f) const {
-      return LinearFlow{units.rate * f.gradient};
+      return LinearFlow{units.rate * f.gradient, units.length * f.centre};
+    }
+    BackgroundFlow operator()(const SumFlow& f) const {
+      SumFlow sum;
+      for (const BackgroundFlow& term : f.terms) sum.terms.push_back(in_units(term, units));
+      return sum;
     }
     BackgroundFlow operator()(const TaylorGreenFlow&) const {
       throw std::logic_error("the Taylor-Green flow has a length of its own");

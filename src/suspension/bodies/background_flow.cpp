@@ -15,15 +15,23 @@ struct VelocityAt {
 
   Complex operator()(const QuiescentFlow&) const { return 0.0; }
   Complex operator()(const UniformFlow& flow) const { return flow.velocity; }
-  Complex operator()(const ShearFlow& flow) const { return flow.rate * x.imag(); }
-  Complex operator()(const ExtensionalFlow& flow) const { return flow.rate * std::conj(x); }
+  Complex operator()(const ShearFlow& flow) const { return flow.rate * (x - flow.centre).imag(); }
+  Complex operator()(const ExtensionalFlow& flow) const {
+    return flow.rate * std::conj(x - flow.centre);
+  }
   Complex operator()(const TaylorGreenFlow& flow) const {
     return flow.rate * Complex{std::cos(x.real()) * std::sin(x.imag()),
                                -std::sin(x.real()) * std::cos(x.imag())};
   }
   Complex operator()(const LinearFlow& flow) const {
-    const Eigen::Vector2d u = flow.gradient * Eigen::Vector2d{x.real(), x.imag()};
+    const Complex arm = x - flow.centre;
+    const Eigen::Vector2d u = flow.gradient * Eigen::Vector2d{arm.real(), arm.imag()};
     return {u[0], u[1]};
+  }
+  Complex operator()(const SumFlow& sum) const {
+    Complex velocity{};
+    for (const BackgroundFlow& term : sum.terms) velocity += std::visit(*this, term);
+    return velocity;
   }
 };
 
@@ -47,17 +55,33 @@ struct DerivativesAt {
     const Eigen::Matrix2d& g = flow.gradient;
     return {0.0, g(1, 0) - g(0, 1), {g(0, 0) - g(1, 1), g(0, 1) + g(1, 0)}};
   }
+  FlowDerivatives operator()(const SumFlow& sum) const {
+    FlowDerivatives derivatives;
+    for (const BackgroundFlow& term : sum.terms) derivatives += std::visit(*this, term);
+    return derivatives;
+  }
 };
 
-// Evaluates u_inf(c + d) - u_inf(c) at the offsets d from the centre c. For linear flows no digits
-// cancel, however fast the flow is at the centre.
-ComplexVector velocity_relative_to(const BackgroundFlow& flow, Complex centre,
-                                   const ComplexVector& offsets) {
-  if (std::holds_alternative<UniformFlow>(flow)) return ComplexVector::Zero(offsets.size());
-  if (!std::holds_alternative<TaylorGreenFlow>(flow)) return background_velocity(flow, offsets);
-  const Complex at_centre = std::visit(VelocityAt{centre}, flow);
-  return background_velocity(flow, (offsets.array() + centre).matrix()).array() - at_centre;
-}
+// Evaluates u_inf(c + d) - u_inf(c) at the offset d from the centre c of a body. For sums of linear
+// flows no digits cancel, however fast the flow is at the body.
+struct RelativeVelocityAt {
+  Complex centre, offset;
+
+  Complex operator()(const auto& flow) const {
+    const VelocityAt here{offset + centre}, at_centre{centre};
+    return here(flow) - at_centre(flow);
+  }
+  Complex operator()(const ShearFlow& flow) const { return flow.rate * offset.imag(); }
+  Complex operator()(const ExtensionalFlow& flow) const { return flow.rate * std::conj(offset); }
+  Complex operator()(const LinearFlow& flow) const {
+    return VelocityAt{offset}(LinearFlow{flow.gradient});
+  }
+  Complex operator()(const SumFlow& sum) const {
+    Complex velocity{};
+    for (const BackgroundFlow& term : sum.terms) velocity += std::visit(*this, term);
+    return velocity;
+  }
+};
 
 }  // namespace
 
@@ -76,7 +100,9 @@ RigidMotion background_rigid_motion(const BackgroundFlow& flow, Complex centre) 
 
 ComplexVector straining_velocity(const BackgroundFlow& flow, const Component& body) {
   const ComplexVector offsets = body.curve.x.array() - body.centre;
-  const ComplexVector relative = velocity_relative_to(flow, body.centre, offsets);
+  const ComplexVector relative = offsets.unaryExpr([&](Complex offset) {
+    return std::visit(RelativeVelocityAt{body.centre, offset}, flow);
+  });
   const double omega = background_rigid_motion(flow, body.centre).omega;
   // u_inf(c + d) - u_inf(c) - omega d^perp, with d^perp = i d.
   ComplexVector strain = relative - imaginary * omega * offsets;

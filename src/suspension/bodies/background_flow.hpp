@@ -23,7 +23,7 @@ RigidMotion background_rigid_motion(const BackgroundFlow& flow, Complex centre);
 /// Evaluates the straining part of an undisturbed flow at the nodes of a free body: the velocity
 /// \f$ u_\infty(c+d) - u_\infty(c) - \Omega_\infty d^\perp \f$ without background_rigid_motion().
 ///
-/// The solver solves for the disturbance by this remainder. For linear flows the remainder depends
+/// The solver solves for the disturbance by this remainder. For sums of linear flows it depends
 /// on the offsets d from the centre c alone, so that the accuracy of the solution does not depend
 /// on how fast the flow carries the body.
 ComplexVector straining_velocity(const BackgroundFlow& flow, const Component& body);

@@ -46,9 +46,17 @@ bool deforms(const Wall& wall) {
          std::holds_alternative<RadialWall>(wall.motion);
 }
 
+// Returns whether a flow, or a term of a sum, is of one of some kinds.
+template <class... Kinds>
+bool contains(const BackgroundFlow& flow) {
+  if (const auto* sum = std::get_if<SumFlow>(&flow)) {
+    return std::ranges::any_of(sum->terms, contains<Kinds...>);
+  }
+  return (std::holds_alternative<Kinds>(flow) || ...);
+}
+
 bool is_sheared(const BackgroundFlow& flow) {
-  return std::holds_alternative<ShearFlow>(flow) || std::holds_alternative<ExtensionalFlow>(flow) ||
-         std::holds_alternative<LinearFlow>(flow);
+  return contains<ShearFlow, ExtensionalFlow, LinearFlow>(flow) && !contains<TaylorGreenFlow>(flow);
 }
 
 // Returns whether the net force is zero, so that the disturbance and its dissipation decay far
@@ -126,8 +134,7 @@ double Rheometer::excess_dissipation(const Solution& solution,
   const auto& [configuration, forcing] = solution.instant;
   const double amplitude = forcing.flow;
   const Scene& scene = solver_.scene();
-  if (std::holds_alternative<TaylorGreenFlow>(scene.flow) ||
-      std::ranges::any_of(scene.walls, deforms)) {
+  if (contains<TaylorGreenFlow>(scene.flow) || std::ranges::any_of(scene.walls, deforms)) {
     return Rheology::undefined;
   }
   // The sum of E:S_k (07.16), F_k . (U_k - u_inf(c_k)) and L_k (omega_k - Omega_inf).

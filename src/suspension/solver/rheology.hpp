@@ -26,8 +26,8 @@ std::optional<double> long_axis(const Curve& curve);
 /// - Torque ratio, in a Couette cell: torque of the inner wall over its torque without bodies.
 /// - Order parameter: mean of \f$ \cos 2(\theta - \theta_f) \f$ over the bodies with a long axis at
 ///   \f$ \theta \f$. The flow's direction \f$ \theta_f \f$ is 0 in shear, extensional and linear
-///   flow, and the azimuthal direction about the outer wall's position in a Couette cell; in other
-///   scenes the order parameter is not defined.
+///   flow and in their sums, and the azimuthal direction about the outer wall's position in a
+///   Couette cell; in other scenes the order parameter is not defined.
 /// - Stresslet, in an unbounded fluid: the sum over bodies and walls, by body_stresslet().
 /// - Uniform velocity, in an unbounded fluid: the velocity at infinity, if it is an unknown.
 ///

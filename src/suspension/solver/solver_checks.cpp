@@ -116,6 +116,16 @@ double least_mobility(const Component& body, const StokesProblem& problem) {
   return 4.0 * std::numbers::pi * problem.viscosity * (mean - deviation);
 }
 
+// Returns the velocity of a uniform flow, or of all uniform terms of a sum.
+Complex uniform_part(const BackgroundFlow& flow) {
+  if (const auto* uniform = std::get_if<UniformFlow>(&flow)) return uniform->velocity;
+  Complex velocity{};
+  if (const auto* sum = std::get_if<SumFlow>(&flow)) {
+    for (const BackgroundFlow& term : sum->terms) velocity += uniform_part(term);
+  }
+  return velocity;
+}
+
 // Returns whether a body under a force would move against this force if the body were alone. Bodies
 // smaller than the gauge length do not.
 bool moves_against_its_force(const Component& body, const StokesProblem& problem) {
@@ -251,8 +261,7 @@ std::string data_error(const Scene& scene, const StokesProblem& problem) {
            " out of the enclosed fluid, which is incompressible: change the velocities so that the "
            "net flux is zero";
   }
-  const auto* uniform = std::get_if<UniformFlow>(&scene.flow);
-  if (uniform != nullptr && uniform->velocity != 0.0 && has_free_uniform_velocity(problem)) {
+  if (uniform_part(scene.flow) != 0.0 && has_free_uniform_velocity(problem)) {
     return "flow.kind = \"uniform\" has no effect beside a held body or inner wall without "
            "flow.gauge_length: the velocity at infinity follows from zero net force and cancels "
            "the uniform flow; set flow.gauge_length";
