@@ -89,7 +89,7 @@ DenseSystem assemble_bordered(const StokesProblem& problem, ClosureForm form,
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];
     const Index first = 2 * offsets[k], size = 2 * component.curve.size();
-    if (component.kind != ComponentKind::free_body) {
+    if (component.velocity.size() > 0) {
       system.rhs.segment(first, size) += interleaved(component.velocity);
     }
     if (!is_inner(component)) continue;

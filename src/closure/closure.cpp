@@ -187,7 +187,7 @@ ComplexVector Closure::boundary_data() const {
   if (problem_.background.size() > 0) data -= problem_.background;
   for (std::size_t k = 0; k < modes_.size(); ++k) {
     const Component& component = problem_.components[k];
-    if (component.kind != ComponentKind::free_body) {
+    if (component.velocity.size() > 0) {
       data.segment(offsets_[k], component.curve.size()) += component.velocity;
     }
   }

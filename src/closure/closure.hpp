@@ -45,9 +45,10 @@ std::vector<double> stokeslet_gauges(const StokesProblem& problem);
 /// component k, with prescribed components w and free bodies p, is
 /// \f[ (-\tfrac12 + D)(I-P)\eta - [k\ \mathrm{free}]\,P\eta + \sum_w (S_w F_w + R_w L_w) + N_0\eta
 ///     + u_c = g_k - u_\infty - \sum_p (S_p F_p + R_p L_p), \f]
-/// where [k free] is 1 on free bodies and 0 elsewhere. The equation is of the second kind: on a
-/// circle every eigenvalue is -1/2 or -1. The term \f$ (-\frac12 + D)P\eta \f$, whose exact value
-/// is zero, is left out, and thus its quadrature error (03.11).
+/// where [k free] is 1 on free bodies and 0 elsewhere, and g_k is the slip of free bodies. The
+/// equation is of the second kind: on a circle every eigenvalue is -1/2 or -1. The term
+/// \f$ (-\frac12 + D)P\eta \f$, whose exact value is zero, is left out, and thus its quadrature
+/// error (03.11).
 ///
 /// In unbounded fluid with prescribed components and no gauge length, the total force is zero and a
 /// uniform velocity u_c is free (03.14). Both hold by construction, with the mean \f$ \bar U \f$ of

@@ -9,7 +9,7 @@ namespace stokesbook {
 
 /// The kind of a component of the boundary: its given data and its results.
 enum class ComponentKind {
-  free_body,       ///< force and torque are given; velocity and omega are results
+  free_body,       ///< force, torque and slip are given; velocity and omega are results
   prescribed,      ///< the velocity at the nodes is given; force and torque are results (inner
                    ///< walls, held bodies)
   enclosing_wall,  ///< the velocity at the nodes is given; the wall surrounds the fluid
@@ -19,15 +19,22 @@ enum class ComponentKind {
 struct Component {
   ComponentKind kind = ComponentKind::free_body;  ///< given data and results
   Curve curve;                                    ///< nodes in the plane; its side fits the kind
-  Complex centre;          ///< c, inside the curve: force acts at c, torque is about c; length
-  Complex force;           ///< on the fluid, force / length (free bodies)
-  double torque = 0.0;     ///< on the fluid about the centre, force (free bodies)
-  ComplexVector velocity;  ///< at the nodes, length / time (prescribed and enclosing_wall)
+  Complex centre;       ///< c, inside the curve: force acts at c, torque is about c; length
+  Complex force;        ///< on the fluid, force / length (free bodies)
+  double torque = 0.0;  ///< on the fluid about the centre, force (free bodies)
+  /// At the nodes, length / time: the given velocity (prescribed and enclosing_wall), or the slip
+  /// relative to the rigid motion (free bodies; empty: no slip).
+  ComplexVector velocity;
 };
 
 /// Returns true for bodies and inner walls, false for an enclosing wall.
 inline bool is_inner(const Component& component) {
   return component.kind != ComponentKind::enclosing_wall;
+}
+
+/// Returns whether the fluid slips on a free body.
+inline bool has_slip(const Component& component) {
+  return component.kind == ComponentKind::free_body && component.velocity.size() > 0;
 }
 
 /// A boundary value problem of Stokes flow around rigid bodies and walls, at one instant.

@@ -31,7 +31,7 @@ double net_flux(const StokesProblem& problem) {
   // Q = int g . n ds over all curves (04.2); the motion of a free body carries no flux.
   double sum = 0.0;
   for (const Component& component : problem.components) {
-    if (component.kind == ComponentKind::free_body) continue;
+    if (component.velocity.size() == 0) continue;
     sum += flux(component.curve, component.velocity);
   }
   return sum;
@@ -40,7 +40,7 @@ double net_flux(const StokesProblem& problem) {
 double flux_scale(const StokesProblem& problem) {
   double scale = 0.0;
   for (const Component& component : problem.components) {
-    if (component.kind == ComponentKind::free_body) continue;
+    if (component.velocity.size() == 0) continue;
     scale += component.velocity.cwiseAbs().dot(weights(component.curve));
   }
   return scale;

@@ -21,7 +21,7 @@ ComplexVector null_space_velocity(const Curve& wall, const ComplexVector& densit
 /// Assembles the matrix of null_space_velocity(): 2N x 2N, of rank 1, dimensionless, interleaved.
 Eigen::MatrixXd null_space_matrix(const Curve& wall);
 
-/// Computes the net flux of the prescribed velocities out of the fluid,
+/// Computes the net flux of the prescribed velocities and slips out of the fluid,
 /// \f$ Q = \int_{\partial\Omega} g\cdot n\,ds \f$ (04.2).
 ///
 /// The motions of rigid bodies carry no flux. An incompressible fluid inside an enclosing wall

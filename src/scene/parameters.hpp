@@ -10,7 +10,8 @@
 
 #include "scene/table_reader.hpp"
 
-/// The parameters of flows, wall motions, shapes and amplitudes: one list for reading and writing.
+/// The parameters of flows, wall motions, slips, shapes and amplitudes: one list for reading and
+/// writing.
 namespace stokesbook::scene_text {
 
 /// Lengths of the semi-axes of an ellipse or superellipse.
@@ -35,12 +36,17 @@ inline constexpr Requirement<int> even_power{
     "an even integer from 2 to 1000, for which the curve is analytic",
     [](const int& p) { return p >= 2 && p <= 1000 && p % 2 == 0; }};
 
+/// Amplitudes of a squirmer's modes.
+inline constexpr Requirement<std::vector<double>> squirmer_modes{
+    "a list of one or more numbers [B_1, B_2, ...]",
+    [](const std::vector<double>& modes) { return !modes.empty(); }};
+
 /// Key of the only parameter with a default: the centre of a flow is the origin.
 inline constexpr std::string_view centre_key = "centre";
 
-/// Calls `visit(key, rule, parameter)` for each parameter of a flow, wall motion, shape or
+/// Calls `visit(key, rule, parameter)` for each parameter of a flow, wall motion, slip, shape or
 /// amplitude, in the order of the file. The terms of a SumFlow are not among them, nor are the
-/// points of a NodalCurve, because a scene may give the points or a file.
+/// points of a NodalCurve and the rows of VelocityData, because a scene may give these or a file.
 void visit_parameters(auto& kind, const auto& visit) {
   if constexpr (requires { kind.velocity; }) visit("velocity", any_vector, kind.velocity);
   if constexpr (requires { kind.rate; }) visit("rate", any_number, kind.rate);
@@ -48,6 +54,7 @@ void visit_parameters(auto& kind, const auto& visit) {
   if constexpr (requires { kind.centre; }) visit(centre_key, any_vector, kind.centre);
   if constexpr (requires { kind.omega; }) visit("omega", any_number, kind.omega);
   if constexpr (requires { kind.speed; }) visit("speed", any_number, kind.speed);
+  if constexpr (requires { kind.modes; }) visit("modes", squirmer_modes, kind.modes);
   if constexpr (requires { kind.radius; }) visit("radius", positive_number, kind.radius);
   if constexpr (requires { kind.arms; }) visit("amplitude", star_amplitude, kind.amplitude);
   if constexpr (requires { kind.arms; }) visit("arms", positive_integer, kind.arms);
@@ -70,7 +77,7 @@ void visit_parameters(auto& kind, const auto& visit) {
   }
 }
 
-/// Reads the parameters of a flow, wall motion, shape or amplitude from its table.
+/// Reads the parameters of a flow, wall motion, slip, shape or amplitude from its table.
 /// @param  others  valid keys of the table besides `kind` and the parameters
 template <class... Kinds>
 std::variant<Kinds...> read_parameters(std::variant<Kinds...> variant, const Node& node,

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "scene/csv_table.hpp"
-#include "scene/parameters.hpp"
 #include "scene/sections.hpp"
 #include "scene/write.hpp"
 
@@ -35,17 +34,6 @@ int read_node_count(const TableReader& owner) {
   return static_cast<int>(count);
 }
 
-WallMotion read_motion(const TableReader& wall, const Shape& shape) {
-  const Node* node = wall.find("motion");
-  if (node == nullptr) return FixedWall{};
-  const WallMotion motion =
-      read_parameters(TableReader(*node).require("kind", motion_kinds), *node);
-  if (std::holds_alternative<RadialWall>(motion) && !std::holds_alternative<Circle>(shape)) {
-    fail(*node, "radial motion requires a wall whose shape is a circle");
-  }
-  return motion;
-}
-
 Wall read_wall(const Node& node, const std::filesystem::path& directory) {
   const TableReader table(
       node, {"role", "shape", "position", "orientation", "n_nodes", "motion", "amplitude"});
@@ -55,7 +43,7 @@ Wall read_wall(const Node& node, const std::filesystem::path& directory) {
   wall.position = table.get("position", any_vector, wall.position);
   wall.orientation = table.get("orientation", any_number, wall.orientation);
   wall.n_nodes = read_node_count(table);
-  wall.motion = read_motion(table, wall.shape);
+  wall.motion = read_motion(table, wall.shape, directory);
   if (std::holds_alternative<FixedWall>(wall.motion)) {
     table.refuse({"amplitude"}, "has no effect on a fixed wall: give a motion, or remove it");
   }
@@ -66,7 +54,7 @@ Wall read_wall(const Node& node, const std::filesystem::path& directory) {
 Body read_body(const Node& node, const TableReader& root, const std::filesystem::path& directory) {
   const TableReader table(
       node, {"shape", "position", "orientation", "force", "torque", "held", "velocity", "omega",
-             "n_nodes", "amplitude", "density", "trap", "magnetic_moment"});
+             "n_nodes", "slip", "amplitude", "density", "trap", "magnetic_moment"});
   Body body;
   body.shape = read_shape(table, directory);
   body.position = table.get("position", any_vector, body.position);
@@ -77,6 +65,7 @@ Body read_body(const Node& node, const TableReader& root, const std::filesystem:
                  "force and torque of a held body are results; remove them, or set held = false");
     table.refuse({"density", "trap", "magnetic_moment"},
                  "has no effect on a held body; remove it, or set held = false");
+    table.refuse({"slip"}, "a held body has no slip; remove it, or set held = false");
   } else {
     table.refuse({"velocity", "omega"},
                  "velocity and omega of a free body are results; remove them, or set held = true");
@@ -87,6 +76,7 @@ Body read_body(const Node& node, const TableReader& root, const std::filesystem:
   body.omega = table.get("omega", any_number, body.omega);
   body.n_nodes = read_node_count(table);
   body.loads = read_load_laws(table, root, !body.held);
+  body.slip = read_slip(table, directory);
   return body;
 }
 
@@ -108,8 +98,8 @@ const CsvHeader list_header{
 
 std::vector<Body> read_body_list(const Node& node, const TableReader& root,
                                  const std::filesystem::path& directory) {
-  const TableReader table(node, {"file", "shape", "force", "torque", "n_nodes", "amplitude",
-                                 "density", "trap", "magnetic_moment"});
+  const TableReader table(node, {"file", "shape", "force", "torque", "n_nodes", "slip",
+                                 "amplitude", "density", "trap", "magnetic_moment"});
   const Node& file = table.at("file", describe(csv_file_name));
   const CsvTable rows = read_csv_file(file, directory, list_header);
   Body body;  // with the properties that all bodies of the list share
@@ -131,6 +121,7 @@ std::vector<Body> read_body_list(const Node& node, const TableReader& root,
   body.torque = table.get("torque", any_number, body.torque);
   body.n_nodes = read_node_count(table);
   body.loads = read_load_laws(table, root, !rows.has("density"));
+  body.slip = read_slip(table, directory);
 
   std::vector<Body> bodies;
   for (const CsvRow& row : rows.rows) {
@@ -195,7 +186,7 @@ std::vector<Fill> read_fill(const Node& node, const TableReader& root,
                             const std::filesystem::path& directory, bool enclosed) {
   const TableReader table(
       node, {"shape", "sizes", "area_fraction", "count", "region", "clearance", "n_nodes", "force",
-             "torque", "amplitude", "density", "trap", "magnetic_moment"});
+             "torque", "slip", "amplitude", "density", "trap", "magnetic_moment"});
   Fill fill;
   fill.shape = read_shape(table, directory);
   fill.area_fraction = table.get("area_fraction", proper_fraction);
@@ -210,6 +201,7 @@ std::vector<Fill> read_fill(const Node& node, const TableReader& root,
   fill.force = table.get("force", any_vector, fill.force);
   fill.torque = table.get("torque", any_number, fill.torque);
   fill.loads = read_load_laws(table, root, true);
+  fill.slip = read_slip(table, directory);
   const Node* sizes = table.find("sizes");
   return sizes ? split_by_size(*sizes, fill) : std::vector{fill};
 }

@@ -1,5 +1,5 @@
-// Answers questions about the walls of a scene. In Couette cells, the torque on the inner wall
-// measures an effective viscosity (chapter 12).
+// Answers questions about the walls and bodies of a scene. In Couette cells, the torque on the
+// inner wall measures an effective viscosity (chapter 12).
 #include "scene/scene.hpp"
 
 #include <algorithm>
@@ -24,6 +24,15 @@ bool is_enclosed(const Scene& scene) {
 const Wall* only_wall(const Scene& scene, WallRole role) {
   if (std::ranges::count(scene.walls, role, &Wall::role) != 1) return nullptr;
   return &*std::ranges::find(scene.walls, role, &Wall::role);
+}
+
+bool has_velocity_data(const Scene& scene) {
+  const auto is_data = [](const auto& velocity) {
+    return std::holds_alternative<VelocityData>(velocity);
+  };
+  const auto slips_by_data = [&](const Body& body) { return body.slip && is_data(*body.slip); };
+  return std::ranges::any_of(scene.walls, is_data, &Wall::motion) ||
+         std::ranges::any_of(scene.bodies, slips_by_data);
 }
 
 bool is_couette_cell(const Scene& scene) {

@@ -104,6 +104,24 @@ struct SumFlow {
   bool operator==(const SumFlow&) const = default;  ///< compares all members
 };
 
+/// Velocities at points of a closed curve, in the frame of the curve, which are interpolated in the
+/// parameter t of the shape; see boundary_velocity().
+struct VelocityData {
+  /// Rows (t, u, v): t ascending, >= 0 and < 2 pi, and the velocity, length / time; at least 4
+  std::vector<std::array<double, 3>> rows{};
+  bool operator==(const VelocityData&) const = default;  ///< compares all members
+};
+
+/// Tangential slip of a squirmer: the sum over k of B_k sin k t along the curve, counter-clockwise,
+/// with the parameter t of the shape, which is the polar angle on a circle.
+struct Squirmer {
+  std::vector<double> modes{};                       ///< B_1, B_2, ..., length / time
+  bool operator==(const Squirmer&) const = default;  ///< compares all members
+};
+
+/// Velocity of the fluid on a free body, relative to the rigid motion of the body.
+using Slip = std::variant<Squirmer, VelocityData>;
+
 /// Wall at rest: u = 0 on the wall.
 struct FixedWall {
   bool operator==(const FixedWall&) const = default;  ///< compares all members
@@ -133,8 +151,16 @@ struct RadialWall {
   bool operator==(const RadialWall&) const = default;  ///< compares all members
 };
 
-/// Velocity of the fluid on a wall.
-using WallMotion = std::variant<FixedWall, RotatingWall, TranslatingWall, LinearWall, RadialWall>;
+/// Velocity of a channel flow, u = speed (1 - (y / b)^2) along x in the frame of the wall, on
+/// superellipses only, whose second semi-axis is b; the curve does not move.
+struct ParabolicWall {
+  double speed = 0.0;                                     ///< length / time
+  bool operator==(const ParabolicWall&) const = default;  ///< compares all members
+};
+
+/// Velocity of the fluid on a wall. The curve of a wall with VelocityData does not move.
+using WallMotion = std::variant<FixedWall, RotatingWall, TranslatingWall, LinearWall, RadialWall,
+                                ParabolicWall, VelocityData>;
 
 /// The side of a wall on which the fluid lies.
 enum class WallRole {
@@ -184,6 +210,7 @@ struct Body {
   Complex velocity{};        ///< velocity of a held body, length / time
   double omega = 0.0;        ///< rotation of a held body, counter-clockwise, 1 / time
   int n_nodes = automatic_nodes;                 ///< collocation nodes, even, >= 8, or automatic
+  std::optional<Slip> slip{};                    ///< slip of a free body; none: no slip
   LoadLaws loads{};                              ///< loads beside force and torque
   bool operator==(const Body&) const = default;  ///< compares all members
 };
@@ -196,6 +223,7 @@ struct Fill {
   std::optional<std::array<double, 4>> box{};  ///< xmin, ymin, xmax, ymax, length; none: the fluid
   double clearance = 0.0;                      ///< least gap between any two curves, length
   int n_nodes = automatic_nodes;               ///< collocation nodes of each body, or automatic
+  std::optional<Slip> slip{};                  ///< slip of each body; none: no slip
   Complex force{};                             ///< load on each body, force / length
   double torque = 0.0;                         ///< load on each body, force
   LoadLaws loads{};                            ///< loads of each body beside force and torque
@@ -382,6 +410,9 @@ bool is_enclosed(const Scene& scene);
 
 /// Returns the only wall with a given role; null if there is none, or more than one.
 const Wall* only_wall(const Scene& scene, WallRole role);
+
+/// Returns whether velocities on a wall or body of a scene are interpolated from VelocityData.
+bool has_velocity_data(const Scene& scene);
 
 /// Returns whether a scene is a Couette cell, in which the torque on the inner wall measures an
 /// effective viscosity: one outer and one inner wall, each fixed or rotating, at different rates

@@ -15,6 +15,13 @@ namespace stokesbook::scene_text {
 /// Reads the key `shape` of a wall, body, body list or fill.
 Shape read_shape(const TableReader& owner, const std::filesystem::path& directory);
 
+/// Reads the key `slip` of a body, body list or fill; none if the key is missing.
+std::optional<Slip> read_slip(const TableReader& owner, const std::filesystem::path& directory);
+
+/// Reads the key `motion` of a wall; a fixed wall if the key is missing.
+WallMotion read_motion(const TableReader& wall, const Shape& shape,
+                       const std::filesystem::path& directory);
+
 /// Reads the key `amplitude` of a section; 1 if the key is missing.
 Amplitude read_amplitude(const TableReader& owner);
 

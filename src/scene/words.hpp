@@ -42,11 +42,16 @@ inline const Words<Amplitude, 4> amplitude_kinds{{{"constant", ConstantAmplitude
                                                   {"oscillation", OscillatingAmplitude{}}}};
 
 /// Words of `kind` in `motion` of [[walls]], in the order of the variant.
-inline const Words<WallMotion, 5> motion_kinds{{{"fixed", FixedWall{}},
+inline const Words<WallMotion, 7> motion_kinds{{{"fixed", FixedWall{}},
                                                 {"rotating", RotatingWall{}},
                                                 {"translating", TranslatingWall{}},
                                                 {"linear", LinearWall{}},
-                                                {"radial", RadialWall{}}}};
+                                                {"radial", RadialWall{}},
+                                                {"parabolic", ParabolicWall{}},
+                                                {"data", VelocityData{}}}};
+
+/// Words of `kind` in `slip` of [[bodies]], in the order of the variant.
+inline const Words<Slip, 2> slip_kinds{{{"squirmer", Squirmer{}}, {"data", VelocityData{}}}};
 
 /// Words of `kind` in `shape`, in the order of the variant.
 inline const Words<Shape, 5> shape_kinds{{{"circle", Circle{}},

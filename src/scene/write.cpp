@@ -94,8 +94,8 @@ Entry node_entry(int n_nodes) {
   return n_nodes == automatic_nodes ? Entry("n_nodes", automatic_word) : Entry("n_nodes", n_nodes);
 }
 
-// Returns the entries of a flow, wall motion, shape or amplitude. The words are in the order of
-// its types.
+// Returns the entries of a flow, wall motion, slip, shape or amplitude. The words are in the order
+// of the types.
 template <class... Kinds>
 Entries entries_of(std::variant<Kinds...> variant, const auto& words) {
   Entries entries{{"kind", words[variant.index()].name}};
@@ -106,6 +106,7 @@ Entries entries_of(std::variant<Kinds...> variant, const auto& words) {
       entries.emplace_back(key, parameter);
     });
     if constexpr (requires { kind.points; }) entries.emplace_back("points", kind.points);
+    if constexpr (requires { kind.rows; }) entries.emplace_back("rows", kind.rows);
     if constexpr (requires { kind.terms; }) {
       std::vector<Entries> terms;
       for (const auto& term : kind.terms) terms.push_back(entries_of(term, words));
@@ -126,6 +127,10 @@ std::string lines(const Entries& entries) {
   std::string text;
   for (const Entry& entry : entries) text += entry.text.empty() ? "" : entry.text + "\n";
   return text;
+}
+
+std::optional<Entries> slip_entries(const std::optional<Slip>& slip) {
+  return slip ? std::optional(entries_of(*slip, slip_kinds)) : std::nullopt;
 }
 
 std::string flow_section(const Scene& scene) {
@@ -166,7 +171,8 @@ std::string section(const Body& body) {
          lines({{"shape", entries_of(body.shape, shape_kinds)},
                 {"position", body.position},
                 {"orientation", body.orientation}}) +
-         driving + load_lines(body.loads) + lines({node_entry(body.n_nodes)});
+         driving + load_lines(body.loads) +
+         lines({node_entry(body.n_nodes), {"slip", slip_entries(body.slip)}});
 }
 
 std::string section(const Fill& fill) {
@@ -178,7 +184,8 @@ std::string section(const Fill& fill) {
                 {"count", fill.count},
                 {"region", region},
                 {"clearance", fill.clearance},
-                node_entry(fill.n_nodes)}) +
+                node_entry(fill.n_nodes),
+                {"slip", slip_entries(fill.slip)}}) +
          (fill.force == Complex{} ? "" : lines({{"force", fill.force}})) +
          (fill.torque == 0.0 ? "" : lines({{"torque", fill.torque}})) + load_lines(fill.loads);
 }

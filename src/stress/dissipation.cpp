@@ -40,10 +40,12 @@ std::vector<double> boundary_power(const SolvedFlow& flow, const ComplexVector& 
   for (std::size_t k = 0; k < components.size(); ++k) {
     const Component& component = components[k];
     const Curve& curve = component.curve;
-    const ComplexVector velocity =
-        component.kind == ComponentKind::free_body
-            ? RigidModes(curve, component.centre).at_nodes(flow.completion().motions[k])
-            : component.velocity;
+    ComplexVector velocity = component.velocity;
+    if (component.kind == ComponentKind::free_body) {
+      const ComplexVector rigid =
+          RigidModes(curve, component.centre).at_nodes(flow.completion().motions[k]);
+      velocity = has_slip(component) ? ComplexVector(rigid + velocity) : rigid;
+    }
     powers.push_back(power(curve, velocity, traction.segment(first, curve.size())));
     first += curve.size();
   }
@@ -75,6 +77,28 @@ std::vector<double> power_of_loads(const SolvedFlow& flow) {
     powers.push_back(sum);
   }
   return powers;
+}
+
+double slip_power(
+    const StokesProblem& problem,
+    const std::function<std::vector<FlowDerivatives>(const ComplexVector&)>& derivatives) {
+  std::vector<Curve> curves;
+  std::vector<const ComplexVector*> slips;
+  for (const Component& component : problem.components) {
+    if (!has_slip(component)) continue;
+    curves.push_back(component.curve);
+    slips.push_back(&component.velocity);
+  }
+  if (curves.empty()) return 0.0;
+  const std::vector<FlowDerivatives> at_nodes = derivatives(all_nodes(curves));
+  double sum = 0.0;
+  auto first = at_nodes.begin();
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const auto last = first + curves[k].size();
+    sum += power(curves[k], *slips[k], traction_on(curves[k], {first, last}, problem.viscosity));
+    first = last;
+  }
+  return sum;
 }
 
 double volume_dissipation(const FluidQuadrature& rule,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "stress/fluid_quadrature.hpp"
@@ -30,6 +31,17 @@ std::vector<double> boundary_power(const SolvedFlow& flow, const ComplexVector& 
 /// @throws std::invalid_argument when a wall that does not move rigidly has no Cauchy scheme
 /// @par Cost     O(n), and the derivatives at the nodes of walls that do not move rigidly
 std::vector<double> power_of_loads(const SolvedFlow& flow);
+
+/// Integrates the power that the slip of free bodies puts into the fluid, the sum of
+/// \f$ \oint g\cdot\sigma n\,ds \f$ over all bodies with the slip g.
+///
+/// power_of_loads() does not include this power.
+/// @param  derivatives  returns the derivatives of the whole flow at given nodes, limits from the
+///                      fluid; called once, with the nodes of all bodies that have slip
+/// @return              force length / time per unit of depth
+double slip_power(
+    const StokesProblem& problem,
+    const std::function<std::vector<FlowDerivatives>(const ComplexVector&)>& derivatives);
 
 /// Integrates the dissipation \f$ \int 2\mu\,e:e\,dA \f$ over the fluid.
 ///

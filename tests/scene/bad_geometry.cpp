@@ -50,10 +50,10 @@ BOOST_AUTO_TEST_CASE(walls) {
        "s.toml:5:10: walls[0].motion = \"fixed\": must be a table, not a string"},
       {wall("motion = { omega = 1 }\n"),
        "s.toml:5:10: walls[0].motion.kind is missing: must be one of fixed, rotating, translating, "
-       "linear, radial"},
+       "linear, radial, parabolic, data"},
       {wall("motion = { kind = 'sliding' }\n"),
        "s.toml:5:19: walls[0].motion.kind = \"sliding\": must be one of fixed, rotating, "
-       "translating, linear, radial"},
+       "translating, linear, radial, parabolic, data"},
       {wall("motion = { kind = 'fixed', omega = 1 }\n"),
        "s.toml:5:28: walls[0].motion.omega = 1: unknown key; valid keys: kind"},
       {wall("motion = { kind = 'rotating' }\n"),
@@ -77,6 +77,9 @@ BOOST_AUTO_TEST_CASE(walls) {
        "s.toml:5:10: walls[0].motion.speed is missing: must be a number"},
       {tank() + "motion = { kind = 'radial', velocity = [1, 1] }\n",
        "s.toml:5:29: walls[0].motion.velocity = [1, 1]: unknown key; valid keys: kind, speed"},
+      {tank() + "motion = { kind = 'parabolic', speed = 1 }\n",
+       "s.toml:5:10: walls[0].motion: parabolic motion requires a wall whose shape is a "
+       "superellipse"},
   });
 }
 
@@ -135,7 +138,34 @@ BOOST_AUTO_TEST_CASE(bodies) {
        "s.toml:4:9: bodies[0].omega = [1]: must be a number, not an array of 1"},
       {disk("mass = 1\n"),
        "s.toml:3:1: bodies[0].mass = 1: unknown key; valid keys: shape, position, orientation, "
-       "force, torque, held, velocity, omega, n_nodes, amplitude, density, trap, magnetic_moment"},
+       "force, torque, held, velocity, omega, n_nodes, slip, amplitude, density, trap, "
+       "magnetic_moment"},
+      {disk("n_nodes = 8\nheld = true\nslip = { kind = 'squirmer', modes = [1] }\n"),
+       "s.toml:5:1: bodies[0].slip: a held body has no slip; remove it, or set held = false"},
+      {disk("n_nodes = 8\nslip = { kind = 'squirmer' }\n"),
+       "s.toml:4:8: bodies[0].slip.modes is missing: must be a list of one or more numbers [B_1, "
+       "B_2, ...]"},
+      {disk("n_nodes = 8\nslip = { kind = 'squirmer', modes = [] }\n"),
+       "s.toml:4:37: bodies[0].slip.modes = []: must be a list of one or more numbers [B_1, B_2, "
+       "...]"},
+      {disk("n_nodes = 8\nslip = { modes = [1] }\n"),
+       "s.toml:4:8: bodies[0].slip.kind is missing: must be one of squirmer, data"},
+      {disk("n_nodes = 8\nslip = { kind = 'data' }\n"),
+       "s.toml:4:8: bodies[0].slip.file is missing: must be the name of a CSV file, or rows = [[t, "
+       "u, v], ...]"},
+      {disk("n_nodes = 8\nslip = { kind = 'data', rows = 1 }\n"),
+       "s.toml:4:32: bodies[0].slip.rows = 1: must be a list [[t, u, v], ...], not an integer"},
+      {disk("n_nodes = 8\nslip = { kind = 'data', rows = [[0, 1]] }\n"),
+       "s.toml:4:33: bodies[0].slip.rows[0] = [0, 1]: must be three numbers [t, u, v]"},
+      {disk("n_nodes = 8\nslip = { kind = 'data', rows = [[0, 1, 0]] }\n"),
+       "s.toml:4:32: bodies[0].slip.rows = [[0, 1, 0]]: must hold at least 4 rows"},
+      {disk("n_nodes = 8\nslip = { kind = 'data', rows = [[7, 1, 0]] }\n"),
+       "s.toml:4:33: bodies[0].slip.rows[0] = [7, 1, 0]: t must be >= 0 and < 2 pi, not 7"},
+      {disk("n_nodes = 8\nslip = { kind = 'data', rows = [[0, 1, 0], [0, 1, 0]] }\n"),
+       "s.toml:4:44: bodies[0].slip.rows[1] = [0, 1, 0]: t must be larger than in the row before, "
+       "not 0"},
+      {disk("n_nodes = 8\nslip = { kind = 'data', file = 'a.csv', rows = [] }\n"),
+       "s.toml:4:25: bodies[0].slip.file = \"a.csv\": give file or rows, not both"},
       {disk() + disk("n_nodes = 9\n"),
        "s.toml:6:11: bodies[1].n_nodes = 9: must be an even integer >= 8 or \"auto\" (try 10)"},
   });
@@ -183,8 +213,8 @@ BOOST_AUTO_TEST_CASE(fills) {
        "s.toml:9:13: fill[0].clearance = -0.1: must be a number >= 0"},
       {tank() + fill("count = 5\nposition = [0, 0]\n"),
        "s.toml:9:1: fill[0].position = [0, 0]: unknown key; valid keys: shape, sizes, "
-       "area_fraction, count, region, clearance, n_nodes, force, torque, amplitude, density, trap, "
-       "magnetic_moment"},
+       "area_fraction, count, region, clearance, n_nodes, force, torque, slip, amplitude, density, "
+       "trap, magnetic_moment"},
       {tank() + fill("area_fraction = 0.5\nsizes = [1.0, 2.0]\n"),
        "s.toml:9:10: fill[0].sizes[0] = 1.0: must be two numbers > 0, not a float"},
       {tank() + fill("area_fraction = 0.5\nsizes = [[1.0, 0.0]]\n"),

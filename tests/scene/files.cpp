@@ -102,6 +102,35 @@ BOOST_AUTO_TEST_CASE(numbers_of_other_programs) {
   BOOST_TEST(bodies.at(1).orientation == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(velocity_data) {
+  const std::string data = "{ kind = 'data', file = 'a.csv' }\n";
+  const std::string body = disk("n_nodes = 8\nslip = " + data);
+  const Folder folder;
+  folder.write("a.csv", "t, u, v\n0,1,2\n1.5,3,4\n3,5,6\n4,7,8\n");
+  folder.write("b.csv", "x,y,theta\n1,2,3\n4,5,6\n");
+  const VelocityData expected{{{0, 1, 2}, {1.5, 3, 4}, {3, 5, 6}, {4, 7, 8}}};
+  const Scene scene =
+      parse(tank() + "motion = " + data + body +
+                "[[body_lists]]\nfile = 'b.csv'\nshape = { kind = 'circle', radius = "
+                "1 }\nn_nodes = 8\nslip = " +
+                data,
+            {}, folder.path());
+  BOOST_TEST((scene.walls[0].motion == WallMotion(expected)));
+  BOOST_REQUIRE(scene.bodies.size() == 3);
+  for (const Body& listed : scene.bodies) BOOST_TEST((listed.slip == Slip(expected)));
+  BOOST_TEST((parse(to_toml({scene})) == scene));
+
+  BOOST_TEST(error_with_csv(body, "x,y\n") == "a.csv:1: header = x,y: must be t,u,v");
+  BOOST_TEST(error_with_csv(body, "t,u,v\n0,1,1\n6.3,1,1\n") ==
+             "a.csv:3: t must be >= 0 and < 2 pi, not 6.3");
+  BOOST_TEST(error_with_csv(body, "t,u,v\n-0.5,1,1\n") ==
+             "a.csv:2: t must be >= 0 and < 2 pi, not -0.5");
+  BOOST_TEST(error_with_csv(body, "t,u,v\n1,1,1\n0.5,1,1\n") ==
+             "a.csv:3: t must be larger than in the row before, not 0.5");
+  BOOST_TEST(error_with_csv(body, "t,u,v\n0,1,1\n1,1,1\n2,1,1\n") ==
+             "s.toml:4:32: bodies[0].slip.file = \"a.csv\": must hold at least 4 rows");
+}
+
 BOOST_AUTO_TEST_CASE(list_of_ellipses_and_order_of_lists) {
   const Folder folder;
   folder.write("a.csv",
@@ -166,7 +195,7 @@ BOOST_AUTO_TEST_CASE(bad_lists) {
              "\"circle\", radius = 1.0 }");
   BOOST_TEST(error_with_csv(list + "held = true\n", one) ==
              "s.toml:5:1: body_lists[0].held = true: unknown key; valid keys: file, shape, force, "
-             "torque, n_nodes, amplitude, density, trap, magnetic_moment");
+             "torque, n_nodes, slip, amplitude, density, trap, magnetic_moment");
   BOOST_TEST(error_with_csv(list + "force = 1\n", one) ==
              "s.toml:5:9: body_lists[0].force = 1: must be two numbers [x, y], not an integer");
   BOOST_TEST(error_with_csv(list + "torque = 'x'\n", one) ==

@@ -53,6 +53,19 @@ Shape random_shape(Dice& dice) {
                              curve});
 }
 
+VelocityData random_data(Dice& dice) {
+  VelocityData data;
+  for (int k = 0; k < 5; ++k) {
+    data.rows.push_back({k + dice.uniform(0.0, 1.0), dice.number(), dice.number()});
+  }
+  return data;
+}
+
+std::optional<Slip> random_slip(Dice& dice) {
+  if (dice.coin()) return {};
+  return dice.one_of<Slip>({Squirmer{{dice.number(), dice.number()}}, random_data(dice)});
+}
+
 int random_nodes(Dice& dice) {
   return dice.coin() ? automatic_nodes : 2 * dice.integer(4, 200);
 }
@@ -69,10 +82,14 @@ Wall random_wall(Dice& dice, WallRole role) {
   Wall wall{role, random_shape(dice), dice.vector(), dice.number(), random_nodes(dice), {}};
   const Eigen::Matrix2d gradient{{dice.number(), dice.number()}, {dice.number(), dice.number()}};
   wall.motion = dice.one_of<WallMotion>({FixedWall{}, RotatingWall{dice.number()},
-                                         TranslatingWall{dice.vector()}, LinearWall{gradient}});
+                                         TranslatingWall{dice.vector()}, LinearWall{gradient},
+                                         random_data(dice)});
   if (dice.coin()) {
     wall.shape = Circle{dice.positive()};
     wall.motion = RadialWall{dice.number()};
+  } else if (dice.coin()) {
+    wall.shape = Superellipse{dice.positive(), dice.positive(), 8};
+    wall.motion = ParabolicWall{dice.number()};
   }
   if (!std::holds_alternative<FixedWall>(wall.motion)) wall.amplitude = random_amplitude(dice);
   return wall;
@@ -89,6 +106,7 @@ Body random_body(Dice& dice) {
   if (dice.coin()) body.loads.amplitude = random_amplitude(dice);
   if (!body.held && dice.coin()) body.loads.trap = Trap{dice.positive(), {}};
   if (body.loads.trap && dice.coin()) body.loads.trap->centre = dice.vector();
+  if (!body.held) body.slip = random_slip(dice);
   return body;
 }
 
@@ -103,6 +121,7 @@ Fill random_fill(Dice& dice, bool enclosed) {
   if (dice.coin()) fill.force = dice.vector();
   if (dice.coin()) fill.torque = dice.number();
   if (dice.coin()) fill.loads.trap = Trap{dice.positive(), dice.vector()};
+  fill.slip = random_slip(dice);
   return fill;
 }
 

@@ -139,6 +139,24 @@ BOOST_AUTO_TEST_CASE(wall_motions) {
   BOOST_TEST((motion("{ kind = 'linear', gradient = [[1, 2], [3, 4]] }") ==
               WallMotion(LinearWall{matrix(1, 2, 3, 4)})));
   BOOST_TEST((motion("{ kind = 'radial', speed = 0.5 }") == WallMotion(RadialWall{0.5})));
+  const Scene channel = parse(
+      "[[walls]]\nrole = 'outer'\nshape = { kind = 'superellipse', semi_axes = [4, 1], power = 8 }"
+      "\nn_nodes = 64\nmotion = { kind = 'parabolic', speed = 2 }\n");
+  BOOST_TEST((channel.walls[0].motion == WallMotion(ParabolicWall{2.0})));
+  BOOST_TEST((motion("{ kind = 'data', rows = [[0, 1, 2], [1.5, 3, 4], [3, 5, 6], [4, 7, 8]] }") ==
+              WallMotion(VelocityData{{{0, 1, 2}, {1.5, 3, 4}, {3, 5, 6}, {4, 7, 8}}})));
+}
+
+BOOST_AUTO_TEST_CASE(slips) {
+  const std::string squirmer = "slip = { kind = 'squirmer', modes = [1, -2.5] }\n";
+  const Slip expected = Squirmer{{1.0, -2.5}};
+  BOOST_TEST((parse(disk("n_nodes = 8\n" + squirmer)).bodies[0].slip == expected));
+  BOOST_TEST((parse_file(tank() +
+                         "[[fill]]\nshape = { kind = 'circle', radius = 0.5 }\ncount = 2\n"
+                         "n_nodes = 8\n" +
+                         squirmer)
+                  .fills[0]
+                  .slip == expected));
 }
 
 BOOST_AUTO_TEST_CASE(bodies) {

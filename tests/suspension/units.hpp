@@ -64,6 +64,26 @@ inline BackgroundFlow in_units(const BackgroundFlow& flow, const Units& units) {
   return std::visit(Scaled{units}, flow);
 }
 
+inline VelocityData in_units(VelocityData data, const Units& units) {
+  for (auto& [variable, u, v] : data.rows) {
+    u *= units.velocity();
+    v *= units.velocity();
+  }
+  return data;
+}
+
+inline Slip in_units(const Slip& slip, const Units& units) {
+  struct Scaled {
+    Units units;
+    Slip operator()(Squirmer squirmer) const {
+      for (double& mode : squirmer.modes) mode *= units.velocity();
+      return squirmer;
+    }
+    Slip operator()(const VelocityData& data) const { return in_units(data, units); }
+  };
+  return std::visit(Scaled{units}, slip);
+}
+
 inline WallMotion in_units(const WallMotion& motion, const Units& units) {
   struct Scaled {
     Units units;
@@ -78,6 +98,10 @@ inline WallMotion in_units(const WallMotion& motion, const Units& units) {
     WallMotion operator()(const RadialWall& m) const {
       return RadialWall{units.velocity() * m.speed};
     }
+    WallMotion operator()(const ParabolicWall& m) const {
+      return ParabolicWall{units.velocity() * m.speed};
+    }
+    WallMotion operator()(const VelocityData& m) const { return in_units(m, units); }
   };
   return std::visit(Scaled{units}, motion);
 }
@@ -93,6 +117,7 @@ inline Scene in_units(Scene scene, const Units& units) {
     body.torque *= units.torque();
     body.velocity *= units.velocity();
     body.omega *= units.rate;
+    if (body.slip) body.slip = in_units(*body.slip, units);
   }
   for (Wall& wall : scene.walls) {
     wall.shape = in_units(wall.shape, units);

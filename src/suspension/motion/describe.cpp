@@ -8,6 +8,7 @@
 
 #include "double_layer/stresslet_sum.hpp"
 #include "fmm/fmm.hpp"
+#include "null_space/null_space.hpp"
 #include "scene/words.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/bodies/forcing.hpp"
@@ -221,6 +222,16 @@ std::string recommendation(int nodes) {
                          " resolves the shape to solver.tolerance";
 }
 
+// Explains what becomes of the net flux that interpolated velocities have.
+std::string flux_text(const SuspensionSolver& solver) {
+  const StokesProblem problem = solver.problem(solver.start(), solver.discretisation());
+  const double flux = net_flux(problem);
+  const auto wall =
+      std::ranges::find(problem.components, ComponentKind::enclosing_wall, &Component::kind);
+  return "net flux " + short_number(flux) + ", which is removed, if it is small, by the velocity " +
+         short_number(-flux / perimeter(wall->curve)) + " on the outer wall, outwards";
+}
+
 // Returns one text for all components that share a shape and a resolution, and whose nodes are all
 // given or all chosen.
 std::vector<std::string> component_texts(const SuspensionSolver& solver,
@@ -312,6 +323,7 @@ std::vector<std::string> describe(const SuspensionSolver& solver) {
   add("unknowns", std::to_string(2 * nodes) + ": " + std::to_string(nodes) +
                       " nodes; motions and loads are functionals of the density (reduced closure)");
   add("summation", sum_text(solver.plan(), nodes));
+  if (is_enclosed(scene) && has_velocity_data(scene)) add("velocity data", flux_text(solver));
   const std::vector<int> recommended = solver.recommended_nodes(start, gaps);
   for (const std::string& text : component_texts(solver, resolutions, recommended)) {
     add("components", text);

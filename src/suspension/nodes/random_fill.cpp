@@ -164,9 +164,14 @@ std::vector<Body> insert_bodies(const Fill& fill, std::ptrdiff_t count,
     if (fill.box && !contains(box, body.curve.nodes)) continue;
     if (!obstacles.leave_room_for(body, fill.clearance)) continue;
     obstacles.add(body);
-    Body& placed = bodies.emplace_back(fill.shape, position, orientation, fill.force, fill.torque);
-    placed.n_nodes = fill.n_nodes;
-    placed.loads = fill.loads;
+    bodies.push_back({.shape = fill.shape,
+                      .position = position,
+                      .orientation = orientation,
+                      .force = fill.force,
+                      .torque = fill.torque,
+                      .n_nodes = fill.n_nodes,
+                      .slip = fill.slip,
+                      .loads = fill.loads});
     attempts = 0;
   }
   return bodies;

@@ -42,8 +42,9 @@ double rotation_factor(const Scene& scene, const Forcing& forcing) {
 }
 
 bool deforms(const Wall& wall) {
-  return std::holds_alternative<LinearWall>(wall.motion) ||
-         std::holds_alternative<RadialWall>(wall.motion);
+  return !std::holds_alternative<FixedWall>(wall.motion) &&
+         !std::holds_alternative<RotatingWall>(wall.motion) &&
+         !std::holds_alternative<TranslatingWall>(wall.motion);
 }
 
 // Returns whether a flow, or a term of a sum, is of one of some kinds.
@@ -171,6 +172,11 @@ Rheology Rheometer::operator()(const Solution& solution) const {
     if (forces_balance(flow.problem())) {
       rheology.dissipation = excess_dissipation(solution, stresslets);
     }
+  }
+  if (!std::isnan(rheology.dissipation)) {
+    rheology.dissipation += slip_power(flow.problem(), [&](const ComplexVector& nodes) {
+      return solver_.derivatives(solution, nodes);
+    });
   }
   if (has_free_uniform_velocity(flow.problem())) {
     rheology.uniform_velocity = solution.uniform_velocity;

@@ -22,7 +22,8 @@ std::optional<double> long_axis(const Curve& curve);
 ///   moving walls (07.11). In an unbounded fluid with a linear background and balanced forces: the
 ///   dissipation that bodies and walls add to the dissipation of the undisturbed flow in the same
 ///   plane, the sum over k of \f$ E:S_k \f$, \f$ F_k\cdot(U_k - u_\infty(c_k)) \f$ and
-///   \f$ L_k(\omega_k - \Omega_\infty) \f$; not defined if a wall deforms.
+///   \f$ L_k(\omega_k - \Omega_\infty) \f$; not defined if a wall deforms. The power of slips is
+///   added in both cases.
 /// - Torque ratio, in a Couette cell: torque of the inner wall over its torque without bodies.
 /// - Order parameter: mean of \f$ \cos 2(\theta - \theta_f) \f$ over the bodies with a long axis at
 ///   \f$ \theta \f$. The flow's direction \f$ \theta_f \f$ is 0 in shear, extensional and linear
@@ -43,7 +44,8 @@ class Rheometer {
   explicit Rheometer(const SuspensionSolver& solver);
 
   /// Measures all quantities that the scene defines.
-  /// @par Cost  O(n) for n nodes in all, and the derivatives at nodes of walls that deform
+  /// @par Cost  O(n) for n nodes in all, and the derivatives at nodes of walls that deform and of
+  /// bodies with slip
   Rheology operator()(const Solution& solution) const;
 
  private:

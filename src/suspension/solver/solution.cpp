@@ -7,6 +7,7 @@
 
 #include "double_layer/double_layer.hpp"
 #include "suspension/bodies/background_flow.hpp"
+#include "suspension/bodies/boundary_velocity.hpp"
 #include "suspension/bodies/components.hpp"
 
 namespace stokesbook {
@@ -14,35 +15,6 @@ namespace stokesbook {
 using Eigen::Index;
 
 namespace {
-
-// Returns the prescribed rigid motion of a held body or a wall about its position; zero for walls
-// whose velocity is not rigid, and whose curves do not move.
-RigidMotion prescribed_motion(const ComponentView& component) {
-  if (component.body != nullptr) return {component.body->velocity, component.body->omega};
-  const WallMotion& motion = component.wall->motion;
-  if (const auto* rotating = std::get_if<RotatingWall>(&motion)) return {0.0, rotating->omega};
-  if (const auto* translating = std::get_if<TranslatingWall>(&motion)) {
-    return {translating->velocity, 0.0};
-  }
-  return {};
-}
-
-// Evaluates the prescribed velocity of a held body or a wall at its placed nodes.
-ComplexVector prescribed_velocity(const ComponentView& component, const Curve& curve,
-                                  Complex position) {
-  if (component.wall != nullptr) {
-    const WallMotion& motion = component.wall->motion;
-    if (const auto* linear = std::get_if<LinearWall>(&motion)) {
-      return background_velocity(LinearFlow{linear->gradient}, curve.x);
-    }
-    if (const auto* radial = std::get_if<RadialWall>(&motion)) {
-      return -radial->speed * normals(curve);
-    }
-  }
-  const auto& [velocity, omega] = prescribed_motion(component);
-  // U + omega (x - c)^perp (03.1), with z^perp = i z.
-  return (velocity + imaginary * omega * (curve.x.array() - position)).matrix();
-}
 
 RigidMotion scaled(double factor, const RigidMotion& motion) {
   return {factor * motion.velocity, factor * motion.omega};
@@ -68,11 +40,12 @@ StokesProblem instant_problem(const Scene& scene, const Instant& instant,
     const Curve curve = place(discretisation[k]->curve, position, orientation);
     Component component{discretisation[k]->kind, curve, position, {}, 0.0, {}};
     const ComponentView source = component_of(scene, k);
+    component.velocity =
+        forcing.motions[k] * boundary_velocity(source, *discretisation[k], curve, configuration[k]);
     if (source.kind == ComponentKind::free_body) {
       component.force = forcing.loads[k].force;
       component.torque = forcing.loads[k].torque;
     } else {
-      component.velocity = forcing.motions[k] * prescribed_velocity(source, curve, position);
       component.velocity.array() -= frame_velocity(scene, forcing);
     }
     problem.components.push_back(std::move(component));

@@ -254,9 +254,24 @@ std::string geometry_error(const Scene& scene, const std::vector<Gap>& gaps,
 }
 
 std::string data_error(const Scene& scene, const StokesProblem& problem) {
+  // Interpolated data conserve volume up to the error of the interpolation only.
+  constexpr double flux_of_data = 1e-3;
+  const double allowed = has_velocity_data(scene) ? std::max(flux_of_data, scene.solver.tolerance)
+                                                  : scene.solver.tolerance;
+  const auto forbidden_flux = [&](const StokesProblem& part) {
+    const double flux = net_flux(part);
+    return std::abs(flux) <= allowed * flux_scale(part) ? 0.0 : flux;
+  };
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    if (!has_slip(problem.components[k])) continue;
+    const double flux = forbidden_flux({{problem.components[k]}, problem.viscosity, {}, {}});
+    if (flux == 0.0) continue;
+    return "the slip on " + name_of(scene, k) + " has a net flux of " + short_number(flux) +
+           " into the body, whose area is constant: change the data so that the net flux is zero";
+  }
   if (is_bounded(problem)) {
-    const double flux = net_flux(problem);
-    if (std::abs(flux) <= scene.solver.tolerance * flux_scale(problem)) return {};
+    const double flux = forbidden_flux(problem);
+    if (flux == 0.0) return {};
     return "the walls' velocities drive a net flux of " + short_number(flux) +
            " out of the enclosed fluid, which is incompressible: change the velocities so that the "
            "net flux is zero";

@@ -56,8 +56,8 @@ std::string geometry_error(const Scene& scene, const std::vector<Gap>& gaps,
                            const Discretisation& discretisation);
 
 /// Explains why the data have no solution, or no reliable solution: a net flux out of an enclosed
-/// fluid; a net force in an unbounded fluid; a gauge length that is not large against bodies; or a
-/// uniform flow that has no effect.
+/// fluid, or into a body; a net force in an unbounded fluid; a gauge length that is not large
+/// against bodies; or a uniform flow that has no effect.
 std::string data_error(const Scene& scene, const StokesProblem& problem);
 
 /// Explains that a solution does not meet the tolerance, and which change would help: more nodes on
