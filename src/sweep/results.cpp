@@ -7,11 +7,11 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
-#include <string_view>
 
 #include <gsl/gsl_cdf.h>
 
 #include "record/atomic_file.hpp"
+#include "record/number_table.hpp"
 #include "sweep/sweep_folder.hpp"
 #include "text/number_text.hpp"
 #include "text/word_list.hpp"
@@ -24,28 +24,16 @@ struct Column {
   std::vector<double> t, y;
 };
 
-double number_in(std::string_view cell, const std::filesystem::path& path) {
-  if (const auto number = parse_number<double>(cell)) return *number;
-  throw RecordError(path, "holds '" + std::string(cell) + "' where a number should be");
-}
-
 /// Reads the first column, which is time, and the column of a quantity. If the quantity has an
 /// item, only rows with this item in their second column are read.
 Column read_column(const std::filesystem::path& path, const Quantity& quantity) {
-  const std::string text = read_text(path);
-  const std::vector<std::string_view> lines = split(text, '\n');
-  const std::vector<std::string_view> header = split(lines.front(), ',');
-  const auto found = std::ranges::find(header, quantity.column);
-  if (found == header.end()) throw RecordError(path, "has no column '" + quantity.column + "'");
-  const auto k = static_cast<std::size_t>(found - header.begin());
+  const NumberTable table = read_table(path);
+  const std::vector<double>& y = table[quantity.column];
   Column column;
-  for (const std::string_view line : std::span(lines).subspan(1)) {
-    if (line.empty()) continue;  // the end of the file
-    const std::vector<std::string_view> cells = split(line, ',');
-    if (cells.size() != header.size()) throw RecordError(path, "has a row that is not whole");
-    if (quantity.item && number_in(cells[1], path) != *quantity.item) continue;
-    column.t.push_back(number_in(cells[0], path));
-    column.y.push_back(number_in(cells[k], path));
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    if (quantity.item && table.columns[1][k] != *quantity.item) continue;
+    column.t.push_back(table.columns[0][k]);
+    column.y.push_back(y[k]);
   }
   return column;
 }
@@ -180,18 +168,7 @@ std::string to_text(const Sweep& sweep, const std::vector<ResultRow>& rows) {
     }
     for (const MeanEstimate& estimate : row.estimates) line.push_back(with_error_bar(estimate));
   }
-  std::vector<std::size_t> widths(lines[0].size());
-  for (const auto& line : lines) {
-    for (std::size_t k = 0; k < line.size(); ++k) widths[k] = std::max(widths[k], line[k].size());
-  }
-  std::string text;
-  for (const auto& line : lines) {
-    for (std::size_t k = 0; k < line.size(); ++k) {
-      text += std::string(2 + widths[k] - line[k].size(), ' ') + line[k];
-    }
-    text += '\n';
-  }
-  return text;
+  return aligned_rows(lines);
 }
 
 }  // namespace stokesbook

@@ -25,6 +25,9 @@ std::string joined(const auto& items, std::string_view separator = ", ", ToWord 
 /// Splits a text at every separator. The parts are views of the text.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// Writes rows of equally many cells as lines, in columns that end at the same letter.
+std::string aligned_rows(const std::vector<std::vector<std::string>>& rows);
+
 /// Returns whether a text is a name: not empty, of letters, digits and _ only.
 bool is_name(std::string_view text);
 
