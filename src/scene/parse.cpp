@@ -91,6 +91,7 @@ SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
   scene.repulsion = read_repulsion(root);
   scene.solver = read_solver(root);
   scene.time = read_time(root);
+  scene = with_matched_tolerances(root, std::move(scene));
   scene.contact = read_contact(root, file);
   scene.output = read_output(root);
   if (scene.walls.empty() && scene.bodies.empty() && fills.empty()) {

@@ -160,6 +160,32 @@ std::optional<TimeSettings> read_time(const TableReader& root) {
   return time;
 }
 
+Scene with_matched_tolerances(const TableReader& root, Scene scene) {
+  if (!scene.time || !scene.time->tolerance) return scene;
+  double& solver = scene.solver.tolerance;
+  double& step = *scene.time->tolerance;
+  constexpr double rounding = 1e-12;
+  if (solver <= (1.0 + rounding) * most_solver_over_step * step) return scene;
+  const auto find = [&](std::string_view section) {
+    const Node* node = root.find(section);
+    return node == nullptr ? nullptr : TableReader(*node).find("tolerance");
+  };
+  const Node* given_solver = find("solver");
+  const Node* given_step = find("time");
+  if (given_solver != nullptr && given_step != nullptr) {
+    fail(*given_solver, "must be at most " + short_number(most_solver_over_step) +
+                            " time.tolerance, which is " + given_step->text +
+                            ": larger errors of velocities shorten the steps until a run takes a "
+                            "hundred times the work");
+  }
+  if (given_solver != nullptr) {
+    step = solver / most_solver_over_step;
+  } else {
+    solver = most_solver_over_step * step;
+  }
+  return scene;
+}
+
 std::optional<ContactSettings> read_contact(const TableReader& root, const SceneFile& file) {
   const auto& [scene, fills] = file;
   const Node* node = root.find("contact");

@@ -55,6 +55,11 @@ SolverSettings read_solver(const TableReader& root);
 /// Reads [time].
 std::optional<TimeSettings> read_time(const TableReader& root);
 
+/// Returns a scene whose solver.tolerance is at most most_solver_over_step times its
+/// time.tolerance, if steps are adapted. The one that is not given follows the other.
+/// @throws SceneError when both are given and do not match
+Scene with_matched_tolerances(const TableReader& root, Scene scene);
+
 /// Reads [contact].
 /// @param  file  the sections read before: bodies, fills and time, which must allow contact
 std::optional<ContactSettings> read_contact(const TableReader& root, const SceneFile& file);

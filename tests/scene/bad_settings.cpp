@@ -151,6 +151,10 @@ BOOST_AUTO_TEST_CASE(settings) {
        "prince_dormand87, or time.effort"},
       {"[time]\nt_final = 1\nmethod = 'dormand_prince54'\ntolerance = 1e-14\n",
        "s.toml:4:13: time.tolerance = 1e-14: must be a number from 1e-13 to 0.1"},
+      {"[time]\nt_final = 1\ntolerance = 1e-8\n[solver]\ntolerance = 1.01e-6\n",
+       "s.toml:5:13: solver.tolerance = 1.01e-06: must be at most 100 time.tolerance, which is "
+       "1e-08: larger errors of velocities shorten the steps until a run takes a hundred times the "
+       "work"},
       {"[time]\nt_final = 1\nmethod = 'dormand_prince54'\ndt = 0\n",
        "s.toml:4:6: time.dt = 0: must be a number > 0"},
       {"[time]\nt_final = 1\ndt = 0.1\ndt_min = 0\n",

@@ -2,6 +2,7 @@
 
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene_text.hpp"
@@ -280,6 +281,21 @@ BOOST_AUTO_TEST_CASE(time_settings) {
   BOOST_TEST((adapting("") == TimeSettings{4.0, {}, dormand_prince54, 1e-6}));
   BOOST_TEST((adapting("tolerance = 1e-9\ndt = 0.1\ndt_min = 1e-3\ndt_max = 1\n") ==
               TimeSettings{4.0, 0.1, dormand_prince54, 1e-9, 1e-3, 1.0}));
+}
+
+BOOST_AUTO_TEST_CASE(a_tolerance_that_is_not_given_follows_the_other) {
+  const auto tolerances = [](const std::string& solver, const std::string& time) {
+    const Scene scene =
+        parse(disk() + "[solver]\n" + solver + "\n[time]\nt_final = 4\n" + time + "\n");
+    return std::pair(scene.solver.tolerance, scene.time.value().tolerance.value());
+  };
+  BOOST_TEST((tolerances("tolerance = 1e-4", "") == std::pair(1e-4, 1e-6)));
+  BOOST_TEST((tolerances("tolerance = 1e-2", "") == std::pair(1e-2, 1e-4)));
+  BOOST_TEST((tolerances("", "tolerance = 1e-9") == std::pair(1e-8, 1e-9)));
+  BOOST_TEST((tolerances("", "tolerance = 1e-12") == std::pair(1e-10, 1e-12)));
+  BOOST_TEST((tolerances("tolerance = 1e-2", "tolerance = 1e-4") == std::pair(1e-2, 1e-4)));
+  // Fixed steps have no tolerance to follow.
+  parse(disk() + "[solver]\ntolerance = 0.1\n[time]\nt_final = 4\ndt = 1\nmethod = 'rk4'\n");
 }
 
 BOOST_AUTO_TEST_CASE(contact_settings) {
