@@ -98,12 +98,11 @@ std::vector<Tick> ticks(const Axis& axis) {
       if (range / step > most) step *= factor;
     }
   }
-  // + 0 turns -0 into 0.
-  for (double v = step * std::ceil(axis.low / step - 1e-9) + 0.0; v <= axis.high + 1e-9 * range;
-       v += step) {
+  for (double k = std::ceil(axis.low / step - 1e-9); step * k <= axis.high + 1e-9 * range; ++k) {
+    const double v = step * k + 0.0;  // -0 becomes 0
     values.push_back(axis.logarithmic
                          ? Tick{std::pow(10.0, v), power_of_ten(static_cast<int>(std::lround(v)))}
-                         : Tick{v, short_number(v)});
+                         : Tick{v, short_number(v, 6)});
   }
   return values;
 }
@@ -120,7 +119,7 @@ struct Layout {
 
 /// Returns axes that contain all points and floors; no value if no point can be shown.
 std::optional<Layout> lay_out(const Plot& plot) {
-  Layout layout{{.logarithmic = plot.log_x}, {.logarithmic = true}};
+  Layout layout{{.logarithmic = plot.log_x}, {.logarithmic = plot.log_y}};
   std::vector<double> xs, ys(plot.floors);
   for (const PlotLine& line : plot.lines) {
     for (const PlotPoint& point : line.points) {
@@ -135,8 +134,15 @@ std::optional<Layout> lay_out(const Plot& plot) {
   const double margin = plot.cells ? 0.5 : 0.03 * range + (plot.log_x ? 0.02 : 1e-9);
   layout.x.low -= margin;
   layout.x.high += margin;
-  layout.y.low = std::floor(layout.y.low - 0.2);
-  layout.y.high = std::ceil(layout.y.high + 0.1);
+  if (plot.log_y) {
+    layout.y.low = std::floor(layout.y.low - 0.2);
+    layout.y.high = std::ceil(layout.y.high + 0.1);
+  } else {
+    const double most = std::max(std::abs(layout.y.low), std::abs(layout.y.high));
+    const double around = std::max(0.05 * (layout.y.high - layout.y.low), 1e-4 * most + 1e-99);
+    layout.y.low -= around;
+    layout.y.high += around;
+  }
   return layout;
 }
 
@@ -201,11 +207,13 @@ std::string marker_path(std::size_t line, Complex at) {
 
 std::string draw_line(const PlotLine& line, std::size_t index, const Layout& layout) {
   std::string joined, filled, hollow;
-  for (const PlotPoint& point : line.points) {
+  const std::size_t points_per_marker = (line.points.size() + 39) / 40;
+  for (std::size_t k = 0; k < line.points.size(); ++k) {
+    const PlotPoint& point = line.points[k];
     if (!layout.x.shows(point.x) || !std::isfinite(point.y)) continue;
     const Complex at = layout.pixel(point);
     joined += (joined.empty() ? 'M' : 'L') + svg::number(at.real()) + ' ' + svg::number(at.imag());
-    (point.hollow ? hollow : filled) += marker_path(index, at);
+    if (k % points_per_marker == 0) (point.hollow ? hollow : filled) += marker_path(index, at);
   }
   return svg::group(svg::path(joined, "fill=\"none\" stroke-opacity=\"0.55\"") +
                         svg::path(filled, "fill=\"currentColor\"") +

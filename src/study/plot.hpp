@@ -12,7 +12,7 @@ struct PlotPoint {
   bool hollow = false;  ///< drawn without filling
 };
 
-/// A line of a plot: the points of one method, joined in order.
+/// A line of a plot: points joined in order, such as those of one method.
 struct PlotLine {
   std::string label;                   ///< name in the legend
   std::vector<PlotPoint> points = {};  ///< in the order in which they are joined
@@ -26,12 +26,13 @@ struct Guide {
   std::string slope = {};  ///< label of a slope triangle below; empty: a dashed line
 };
 
-/// A plot of positive numbers over a logarithmic y axis.
+/// A plot of lines, of positive numbers unless the y axis is linear.
 struct Plot {
   std::string title;                 ///< read by screen readers, not shown
   std::string x_label;               ///< below the axis
   std::string y_label;               ///< above the axis
   bool log_x = true;                 ///< false: the x axis is linear
+  bool log_y = true;                 ///< false: the y axis is linear
   bool cells = false;                ///< true: a heat map over whole numbers x, a row for each line
   std::vector<PlotLine> lines = {};  ///< methods, in the order of the legend
   std::vector<Guide> guides = {};    ///< laws to compare with
@@ -43,7 +44,8 @@ struct Plot {
 /// The function does not use gnuplot or Matplotlib, because the colours in their SVG cannot follow
 /// the page, and because they have no slope triangles; the rest of a plot is a scale and some
 /// paths. Points that a logarithmic axis cannot show are left out; zeros of y lie on the lower
-/// edge. A heat map has neither guides nor floors. A plot without any point that can be shown becomes a sentence.
+/// edge. A heat map has neither guides nor floors. Lines of more than 40 points have markers at some
+/// of their points. A plot without any point that can be shown becomes a sentence.
 std::string draw_plot(const Plot& plot);
 
 }  // namespace stokesbook::study
