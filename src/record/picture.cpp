@@ -106,7 +106,7 @@ struct Layout {
   }
 };
 
-Layout lay_out(const Frame& frame, const Outlines& outlines) {
+Layout lay_out(const Frame& frame, const Outlines& outlines, const std::vector<BodyPath>& paths) {
   const auto& [bodies, walls] = outlines;
   Layout layout;
   double radii = 0.0;
@@ -117,6 +117,9 @@ Layout lay_out(const Frame& frame, const Outlines& outlines) {
   }
   for (std::size_t k = 0; k < walls.size(); ++k) {
     for (const Complex point : placed(walls[k], frame.walls[k])) layout.include(point);
+  }
+  for (const BodyPath& path : paths) {
+    for (const Complex point : path.points) layout.include(point);
   }
   if (layout.top_speed > 0.0) {
     // Twice the mean radius of the bodies, and at least 3 % of the diagonal: the longest arrow is
@@ -208,6 +211,19 @@ std::string draw_contacts(const Layout& layout, const Frame& frame) {
   }
   return svg::group(
       lines, R"(fill="none" stroke="#e8710a" stroke-linecap="round" stroke-linejoin="round")");
+}
+
+std::string draw_paths(const Layout& layout, const std::vector<BodyPath>& paths) {
+  if (paths.empty()) return "";
+  const auto to_drawing = [&](Complex point) { return layout.to_drawing(point); };
+  std::string curves, numbers;
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const double fraction = 0.9 * static_cast<double>(k) / static_cast<double>(paths.size());
+    curves += svg::path(svg::polyline(paths[k].points.unaryExpr(to_drawing)),
+                        "stroke=\"" + colour(viridis, fraction) + '"');
+    numbers += svg::label(to_drawing(paths[k].points[0]), std::to_string(paths[k].body));
+  }
+  return svg::group(curves, R"(fill="none" stroke-width="1.5" stroke-linejoin="round")") + numbers;
 }
 
 // Pictures of fields
@@ -369,19 +385,20 @@ std::string label_of(std::string_view quantity) {
 }  // namespace
 
 std::string draw_configuration(const Frame& frame, const Outlines& outlines,
-                               const std::string& title) {
+                               const std::string& title, const std::vector<BodyPath>& paths) {
   require_outlines(frame, outlines);
   if (frame.bodies.empty() && frame.walls.empty()) {
     throw std::invalid_argument("draw_configuration: neither bodies nor walls to draw");
   }
-  const Layout layout = lay_out(frame, outlines);
+  const Layout layout = lay_out(frame, outlines, paths);
   std::string bar;
   if (layout.top_speed > 0.0) {
     bar = draw_bar(layout.drawn.real(), viridis, {0.0, layout.top_speed}, "speed |U|", veil);
   }
   return open_picture(layout.drawn, frame.t, title) + draw_walls(layout, frame, outlines.walls) +
          draw_bodies(layout, frame, outlines.bodies) + draw_ticks(layout, frame, outlines.bodies) +
-         draw_contacts(layout, frame) + draw_arrows(layout, frame) + bar + "</svg>\n";
+         draw_contacts(layout, frame) + draw_arrows(layout, frame) + draw_paths(layout, paths) +
+         bar + "</svg>\n";
 }
 
 std::map<std::string, std::string> draw_fields(const Frame& frame, const Outlines& outlines,

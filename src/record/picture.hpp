@@ -2,10 +2,17 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "record/run_data.hpp"
 
 namespace stokesbook {
+
+/// The path of a body.
+struct BodyPath {
+  std::size_t body;      ///< index of the body in the frame
+  ComplexVector points;  ///< positions in order of time, at least one, length
+};
 
 /// Draws a configuration as an SVG document, for display alone or inside a page, on a light or dark
 /// background.
@@ -13,11 +20,11 @@ namespace stokesbook {
 /// Bodies are coloured by their speed |U| (viridis, with a colour bar). A tick on each body marks
 /// the first axis of its frame, and an arrow shows its velocity. Contact forces are lines from the
 /// bodies to the points where the forces act; the width grows with the force. Walls are outlines; y
-/// points upwards.
+/// points upwards. Each path has a colour of its own, and the number of its body at its beginning.
 /// @param  title  shown above the picture; may be empty
 /// @throws std::invalid_argument when outlines and frame do not match, or have no component
 std::string draw_configuration(const Frame& frame, const Outlines& outlines,
-                               const std::string& title);
+                               const std::string& title, const std::vector<BodyPath>& paths = {});
 
 /// Draws every quantity of a frame's field as SVG: a colour map (of the speed, for velocities),
 /// streamlines if the field has velocities, and walls and bodies on top.

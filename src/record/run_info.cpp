@@ -30,6 +30,17 @@ nlohmann::ordered_json totals_of(const RunInfo& info) {
   return json;
 }
 
+/// Reads an entry of the file; json::parse() and the conversion throw errors about its contents.
+template <class Value>
+Value read_entry(const std::filesystem::path& path, const char* pointer) {
+  try {
+    const nlohmann::json json = nlohmann::json::parse(read_text(path));
+    return json.at(nlohmann::json::json_pointer(pointer)).get<Value>();
+  } catch (const nlohmann::json::exception& damage) {
+    throw RecordError(path, "is damaged: " + std::string(damage.what()));
+  }
+}
+
 }  // namespace
 
 std::string to_json(const RunInfo& info) {
@@ -66,12 +77,12 @@ std::optional<int> exit_status_of(const std::filesystem::path& run) {
   const std::filesystem::path path = run / "run.json";
   std::error_code unreadable;
   if (!std::filesystem::exists(path, unreadable)) return std::nullopt;
-  try {
-    const nlohmann::json status = nlohmann::json::parse(read_text(path)).at("exit_status");
-    return status.is_null() ? std::nullopt : std::optional(status.get<int>());
-  } catch (const nlohmann::json::exception& damage) {
-    throw RecordError(path, "is damaged: " + std::string(damage.what()));
-  }
+  if (read_entry<nlohmann::json>(path, "/exit_status").is_null()) return std::nullopt;
+  return read_entry<int>(path, "/exit_status");
+}
+
+std::vector<int> most_nodes_of(const std::filesystem::path& run) {
+  return read_entry<std::vector<int>>(run / "run.json", "/resolution/most_nodes");
 }
 
 }  // namespace stokesbook

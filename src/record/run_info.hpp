@@ -68,4 +68,8 @@ std::string to_json(const RunInfo& info);
 /// @throws RecordError when the file cannot be read or is damaged
 std::optional<int> exit_status_of(const std::filesystem::path& run);
 
+/// Reads RunResolution::most_nodes of a run that has ended.
+/// @throws RecordError when the file cannot be read or is damaged
+std::vector<int> most_nodes_of(const std::filesystem::path& run);
+
 }  // namespace stokesbook
