@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "cli/analysis_command.hpp"
 #include "cli/build_info.hpp"
 #include "cli/message.hpp"
 #include "cli/run_command.hpp"
@@ -70,6 +71,38 @@ void add_sweep_options(CLI::App& command, SweepOptions& options) {
   command.add_flag("--quiet", options.quiet, "print errors only");
 }
 
+/// Options of `stokes compare` and `stokes plot`.
+struct RunFolders {
+  std::filesystem::path run, reference, out;
+  std::vector<std::size_t> bodies;
+};
+
+void add_compare_options(CLI::App& command, RunFolders& options) {
+  command.add_option("run", options.run, "folder of a run")->required();
+  command.add_option("reference", options.reference, "folder of another run")->required();
+  command.add_option("--out", options.out, "directory for a picture of the differences [none]");
+}
+
+void add_plot_options(CLI::App& command, RunFolders& options) {
+  command.add_option("run", options.run, "folder of a run")->required();
+  command.add_option("--bodies", options.bodies, "bodies whose paths are drawn, such as 0,3,7")
+      ->delimiter(',');
+  command.add_option("--out", options.out, "directory for the pictures [the folder of the run]");
+}
+
+void add_precision_options(CLI::App& command, PrecisionOptions& options) {
+  auto& [accuracy, quantity, budget] = options.request;
+  command.add_option("scene", options.scene, "scene file (TOML)")->required();
+  command.add_option("--accuracy", accuracy, "largest error that is allowed at any time [0.001]")
+      ->check(CLI::Range(1e-9, 0.1));
+  command.add_option("--quantity", quantity, "a quantity of stokes compare [the trajectory]");
+  command.add_option("--budget", budget, "CPU seconds of all runs [600]")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--set", options.overrides, "set a value of the scene")
+      ->allow_extra_args(false);
+  command.add_option("--out", options.out, "directory for the results [out/<scene>_precision]");
+}
+
 // Opens /dev/null for each standard stream that is closed. Otherwise, the next file that is opened
 // would take the number of the stream, and output for the user would be written into this file.
 void open_standard_streams() {
@@ -91,12 +124,25 @@ int run_program(int argc, char** argv) {
   run.add_flag("--resume", options.resume,
                "continue from the last checkpoint, also with a later end or other settings")
       ->excludes("--overwrite");
+  CLI::Option* verify =
+      run.add_flag("--verify", options.verify, "estimate the error of the run by a second run");
+  run.add_option("--bound", options.bound, "error whose first excess --verify reports [0.01]")
+      ->check(CLI::PositiveNumber)
+      ->needs(verify);
   CLI::App& solve = *app.add_subcommand("solve", "solve a scene once, at t = 0");
   add_scene_options(solve, options);
   SweepOptions sweep_options;
   CLI::App& sweep = *app.add_subcommand("sweep", "run a scene for many values, with error bars");
   add_sweep_options(sweep, sweep_options);
-  for (CLI::App* command : {&run, &solve, &sweep}) {
+  RunFolders folders;
+  CLI::App& compare = *app.add_subcommand("compare", "print the differences of two runs");
+  add_compare_options(compare, folders);
+  CLI::App& plot = *app.add_subcommand("plot", "draw the paths and the tables of a run");
+  add_plot_options(plot, folders);
+  PrecisionOptions precision_options;
+  CLI::App& precision = *app.add_subcommand("precision", "find the cheapest accurate settings");
+  add_precision_options(precision, precision_options);
+  for (CLI::App* command : app.get_subcommands({})) {
     command->set_version_flag("--version", version_text());
   }
   try {
@@ -107,6 +153,10 @@ int run_program(int argc, char** argv) {
     return exit_bad_usage;
   }
   options.once = solve.parsed();
+  const auto& [run_folder, reference, out, bodies] = folders;
+  if (compare.parsed()) return compare_runs(run_folder, reference, out);
+  if (plot.parsed()) return plot_run(run_folder, bodies, out);
+  if (precision.parsed()) return find_precision(precision_options);
   return sweep.parsed() ? run_sweep(sweep_options) : run_scene(options);
 }
 

@@ -14,6 +14,8 @@
 #include <omp.h>
 #include <sys/resource.h>
 
+#include "analysis/settings.hpp"
+#include "cli/analysis_command.hpp"
 #include "cli/build_info.hpp"
 #include "cli/continuation.hpp"
 #include "cli/run_report.hpp"
@@ -37,24 +39,6 @@ namespace stokesbook {
 namespace {
 
 namespace fs = std::filesystem;
-
-FilledScene load_scene(const RunOptions& options) {
-  const SceneFile file = read_scene(options.scene, options.overrides);
-  if (!options.once && !file.scene.time) {
-    throw SceneError(
-        options.scene.string() +
-        ": stokes run requires [time] with t_final; use stokes solve for a scene without [time]");
-  }
-  try {
-    FilledScene filled = fill_scene(file);
-    if (!options.from.empty()) {
-      filled.scene = start_from(filled.scene, options.from, options.from_time);
-    }
-    return filled;
-  } catch (const std::invalid_argument& error) {
-    throw SceneError(options.scene.string() + ": " + error.what());
-  }
-}
 
 /// Solves the start, with the checks of a run, and prints how well the solution is resolved.
 void try_first_solve(const Scene& scene, const SuspensionSolver& solver) {
@@ -186,10 +170,27 @@ long long peak_memory() {
 
 }  // namespace
 
+FilledScene load_scene(const fs::path& path, const std::vector<std::string>& overrides,
+                       bool needs_time) {
+  const SceneFile file = read_scene(path, overrides);
+  if (needs_time && !file.scene.time) {
+    throw SceneError(path.string() +
+                     ": this command requires [time] with t_final; use stokes "
+                     "solve for a scene without [time]");
+  }
+  try {
+    return fill_scene(file);
+  } catch (const std::invalid_argument& error) {
+    throw SceneError(path.string() + ": " + error.what());
+  }
+}
+
 int run_scene(const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   if (options.threads > 0) omp_set_num_threads(options.threads);
-  const auto [scene, placement] = load_scene(options);
+  auto [scene, placement] = load_scene(options.scene, options.overrides, !options.once);
+  if (!options.from.empty()) scene = start_from(scene, options.from, options.from_time);
+  const std::string tighter = options.verify ? to_toml({tightened(scene)}) : "";
   const SuspensionSolver solver(scene);
   std::vector<std::string> plan = describe(solver);
   plan.insert(plan.end(), placement.begin(), placement.end());
@@ -256,6 +257,17 @@ int run_scene(const RunOptions& options) {
   finish(exit_done, "done");
   if (!options.quiet) print_report(info, out);
   warn_of_estimates(info.resolution, scene.solver.tolerance);
+  if (options.verify) {
+    const fs::path folder = out / "verify";
+    make_folder(folder);
+    write_atomically(folder / "scene.toml", tighter, SafeFrom::kill);
+    RunOptions second{folder / "scene.toml", folder, {}, options.threads};
+    second.resume = options.resume;
+    second.overwrite = second.quiet = true;
+    run_scene(second);
+    const std::string report = verification_report(out, options.bound);
+    if (!options.quiet) std::printf("%s", report.c_str());
+  }
   return exit_done;
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "suspension/nodes/random_fill.hpp"
+
 namespace stokesbook {
 
 /// @name Exit codes
@@ -29,7 +31,14 @@ struct RunOptions {
   bool resume = false;
   bool overwrite = false;
   bool quiet = false;
+  bool verify = false;  ///< true: a second run shows the error of the run
+  double bound = 0.01;  ///< error of positions in radii, and of angles, for verification_report()
 };
+
+/// Reads a scene and places its fills.
+/// @throws SceneError
+FilledScene load_scene(const std::filesystem::path& path,
+                       const std::vector<std::string>& overrides, bool needs_time = true);
 
 /// Runs a scene, writes its files, and returns the exit code.
 /// @throws SceneError, SolverError, RecordError

@@ -11,7 +11,6 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 
-import numpy
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
 PROGRAM, SUSPENSION = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -35,37 +34,6 @@ class Views(unittest.TestCase):
             [PROGRAM, "run", SUSPENSION / "scenes/settling.toml", "--out", cls.run_folder, "--quiet",
              "--set", "time.t_final=0.4", "--set", "output.dt_write=0.2", "--set",
              "output.fields={ box = [-2.5, -2.5, 2.5, 2.5], resolution = 20 }"], check=True)
-
-    def test_plot_run(self):
-        subprocess.run([sys.executable, "-B", VIEWS / "plot_run.py", self.run_folder], check=True)
-        bodies = module("plot_run").read_table(self.run_folder / "trajectory.csv")
-        self.assertEqual(bodies["x"].shape, (3, 5))
-        for name, along in (("body", bodies["body"][0]), ("t", bodies["t"][:, :1])):
-            self.assertTrue((bodies[name] == along).all())
-        numpy.testing.assert_array_equal(bodies["body"][0], range(5))
-        picture = xml.parse(self.run_folder / "paths.svg").getroot()
-        paths = picture.findall("{http://www.w3.org/2000/svg}polyline")
-        drawn = [[point.split(",") for point in path.get("points").split()] for path in paths]
-        expected = numpy.stack([bodies["x"].T, -bodies["y"].T], axis=-1)
-        numpy.testing.assert_allclose(numpy.array(drawn, float), expected, rtol=1e-5)
-
-    def test_plot_run_of_tables_that_hold_less(self):
-        table = self.run_folder.parent / "trajectory.csv"
-        lines = (self.run_folder / "trajectory.csv").read_text().splitlines()
-        read_table = module("plot_run").read_table
-        for n_lines, shape in (1, (0, 0)), (2, (1, 1)), (1 + 5, (1, 5)), (1 + 5 + 3, (1, 5)):
-            table.write_text("\n".join(lines[:n_lines]) + "\n")
-            self.assertEqual(read_table(table)["x"].shape, shape)
-
-        def message(*arguments):
-            result = subprocess.run([sys.executable, "-B", VIEWS / "plot_run.py", *arguments],
-                                    capture_output=True, text=True)
-            self.assertEqual(result.returncode, 1)
-            return result.stderr
-
-        self.assertEqual(message(), "usage: plot_run.py FOLDER\n")
-        table.write_text(lines[0] + "\n")
-        self.assertEqual(message(table.parent), f"{table} holds no body\n")
 
     def test_paraview_run_asks_for_what_a_run_has(self):
         script = module("paraview_run")

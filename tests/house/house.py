@@ -33,7 +33,8 @@ MAY_USE = {
     "record": {"text", "trapezoid"},
     "sweep": {"text", "scene", "record"},
     "study": {"text", "record"},
-    "cli": METHODS | {"text", "suspension", "scene", "record", "sweep", "study"},
+    "analysis": {"text", "trapezoid", "scene", "record", "study"},
+    "cli": METHODS | {"text", "suspension", "scene", "record", "sweep", "study", "analysis"},
 }
 
 # Methods that a library may use although their chapters are read later.

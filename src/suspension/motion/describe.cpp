@@ -293,10 +293,12 @@ std::string steps_text(const Scene& scene) {
   if (adapts_steps(time)) {
     const double velocities = scene.solver.tolerance;
     const double positions = time.tolerance.value_or(default_step_tolerance);
+    const std::string solver = "; solver.tolerance = " + short_number(velocities);
+    const bool is_least = positions <= 1.001 * velocities / most_solver_over_step;
     return method + ", steps for a tolerance of " + short_number(positions) + end +
-           (positions < velocities ? "; solver.tolerance = " + short_number(velocities) +
-                                         " is larger, and limits the accuracy"
-                                   : "");
+           (is_least                 ? solver + " admits no lower tolerance of steps"
+            : positions < velocities ? solver + " is larger, and limits the accuracy"
+                                     : "");
   }
   if (time.effort) return method + ", steps from " + short_number(*time.dt) + " by effort" + end;
   const double steps = std::ceil(time.t_final / *time.dt - 1e-9);
