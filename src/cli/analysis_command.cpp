@@ -93,9 +93,13 @@ int find_precision(const PrecisionOptions& options) {
   const fs::path out = options.out.empty()
                            ? fs::path("out") / (options.scene.stem().string() + "_precision")
                            : options.out;
+  const fs::path trials = out / "trials";
+  if (fs::exists(trials)) {
+    throw RecordError(trials, "has the runs of another search; remove it, or give another --out");
+  }
   std::size_t runs = 0;
   const auto run = [&](const Scene& changed, double most_seconds) {
-    Outcome outcome = run_process(changed, most_seconds, out / "runs" / padded_number(runs++, 4));
+    Outcome outcome = run_process(changed, most_seconds, trials / padded_number(runs++, 4));
     std::printf("run %zu: %s CPU seconds%s%s\n", runs, short_number(outcome.seconds).c_str(),
                 outcome.failure.empty() ? "" : ", ", outcome.failure.c_str());
     std::fflush(stdout);

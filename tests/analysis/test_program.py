@@ -138,7 +138,10 @@ class Program(unittest.TestCase):
         out = self.folder / "out"
         refused = stokes("precision", self.jeffery, "--budget", "1e-3", "--out", out, code=2)
         self.assertIn("no reference within half of the budget", refused.stderr)
-        unknown = stokes("precision", self.jeffery, "--quantity", "gaps", "--out", out, code=1)
+        again = stokes("precision", self.jeffery, "--out", out, code=3)
+        self.assertIn("trials: has the runs of another search", again.stderr)
+        unknown = stokes("precision", self.jeffery, "--quantity", "gaps", "--out", self.folder / "2",
+                         code=1)
         self.assertIn("must be one that the scene defines: positions, angles", unknown.stderr)
         effort = stokes("run", self.jeffery, "--verify", "--out", out, "--set", "time.method=euler",
                         "--set", "time.dt=0.1", "--set", "time.effort={few=1, many=2}", code=1)
