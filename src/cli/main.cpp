@@ -131,6 +131,8 @@ int run_program(int argc, char** argv) {
       ->needs(verify);
   CLI::App& solve = *app.add_subcommand("solve", "solve a scene once, at t = 0");
   add_scene_options(solve, options);
+  solve.add_flag("--matrices", options.matrices,
+                 "also write resistance and mobility matrix of the free bodies");
   SweepOptions sweep_options;
   CLI::App& sweep = *app.add_subcommand("sweep", "run a scene for many values, with error bars");
   add_sweep_options(sweep, sweep_options);

@@ -29,6 +29,7 @@
 #include "suspension/motion/simulation.hpp"
 #include "suspension/motion/statistics.hpp"
 #include "suspension/nodes/random_fill.hpp"
+#include "suspension/solver/matrices.hpp"
 #include "text/fingerprint.hpp"
 #include "text/number_text.hpp"
 #include "text/word_list.hpp"
@@ -161,6 +162,14 @@ void resume(Simulation& simulation, OpenedRun& opened, const fs::path& out) {
   directory.keep_checkpoint();
 }
 
+/// Computes and writes the matrices of the free bodies, and prints their errors.
+void write_matrices(const Scene& scene, const RunDirectory& directory, bool quiet) {
+  const HydrodynamicMatrices matrices = hydrodynamic_matrices(scene);
+  directory.write_text("resistance.csv", resistance_table(matrices));
+  directory.write_text("mobility.csv", mobility_table(matrices));
+  if (!quiet) print_matrix_errors(matrix_errors(matrices));
+}
+
 /// Returns the largest resident set so far, in bytes; getrusage() returns multiples of 1024 bytes.
 long long peak_memory() {
   rusage usage{};
@@ -250,6 +259,7 @@ int run_scene(const RunOptions& options) {
   directory.write_text("run.json", to_json(info));
   try {
     options.once ? simulation.solve_once() : simulation.run();
+    if (options.matrices) write_matrices(scene, directory, options.quiet);
   } catch (const SolverError& error) {
     finish(exit_refused, error.what());
     throw;

@@ -27,6 +27,7 @@ struct RunOptions {
   std::optional<double> from_time{};  ///< time of this state; none: the last
   int threads = 0;                    ///< 0: all processors
   bool once = false;                  ///< true for stokes solve
+  bool matrices = false;              ///< with once: also write the matrices of the free bodies
   bool dry_run = false;
   bool resume = false;
   bool overwrite = false;

@@ -55,6 +55,14 @@ void print_motions(const Frame& frame) {
   }
 }
 
+void print_matrix_errors(const MatrixErrors& errors) {
+  std::printf(
+      "matrices: asymmetry of resistance %s, of mobility %s; error of their product %s; all "
+      "relative to the diagonal\n",
+      short_number(errors.resistance_asymmetry).c_str(),
+      short_number(errors.mobility_asymmetry).c_str(), short_number(errors.inverse_error).c_str());
+}
+
 void print_report(const RunInfo& info, const std::filesystem::path& out) {
   const RunTotals& totals = info.totals;
   std::printf(

@@ -7,6 +7,7 @@
 
 #include "record/run_data.hpp"
 #include "record/run_info.hpp"
+#include "suspension/solver/matrices.hpp"
 
 namespace stokesbook {
 
@@ -36,6 +37,9 @@ void print_plan(const std::string& title, const std::vector<std::string>& plan);
 
 /// Prints the velocities of all bodies with 15 digits.
 void print_motions(const Frame& frame);
+
+/// Prints how far resistance and mobility matrix are from symmetric, and inverse to each other.
+void print_matrix_errors(const MatrixErrors& errors);
 
 /// Prints cost, error estimates and contact forces of a run that has ended.
 void print_report(const RunInfo& info, const std::filesystem::path& out);

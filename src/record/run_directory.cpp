@@ -27,6 +27,8 @@ constexpr const char* contacts_name = "contacts.csv";
 constexpr const char* steps_name = "steps.csv";
 constexpr const char* animation_name = "animation.html";
 constexpr const char* picture_name = "configuration.svg";
+constexpr const char* resistance_name = "resistance.csv";
+constexpr const char* mobility_name = "mobility.csv";
 constexpr const char* info_name = "run.json";
 constexpr const char* scene_name = "scene.toml";
 constexpr std::array frame_files{body_files, contact_files, field_files, earlier_scenes};
@@ -62,7 +64,7 @@ std::optional<std::size_t> frame_of(const std::string& name) {
 bool belongs_to_run(const std::string& name) {
   constexpr std::array names{checkpoint_name, kept_checkpoint, trajectory_name, walls_name,
                              rheology_name,   contacts_name,   steps_name,      animation_name,
-                             picture_name,    info_name};
+                             picture_name,    resistance_name, mobility_name,   info_name};
   const auto collects = [&](const FrameFiles& files) { return name == files.collection(); };
   return std::ranges::find(names, name) != names.end() ||
          std::ranges::any_of(frame_files, collects) || is_field_picture(name) || frame_of(name);

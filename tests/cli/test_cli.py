@@ -562,6 +562,18 @@ class Records(Program):
         self.assertEqual(len(table), 2)
         self.assertIn(f"{table['omega'][1]:.10g}"[:9], result.stdout)
 
+    def test_solve_writes_the_matrices_of_the_free_bodies(self):
+        text = PAIR[:PAIR.index("[time]")].replace("rate = 1.0", "rate = 1.0\ngauge_length = 20.0")
+        result = stokes("solve", self.scene(text), "--matrices", "--out", "a", cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        matrices = [numpy.loadtxt(self.folder / "a" / name, delimiter=",", skiprows=1,
+                                  usecols=range(1, 7)) for name in ("resistance.csv", "mobility.csv")]
+        numpy.testing.assert_allclose(matrices[0] @ matrices[1], numpy.eye(6), atol=1e-4)
+        self.assertIn("asymmetry", result.stdout)
+        result = stokes("solve", self.scene(PAIR), "--matrices", "--out", "b", cwd=self.folder)
+        self.assertEqual(result.returncode, 2, result.stdout)
+        self.assertIn("flow.gauge_length", result.stderr)
+
 
 class ShippedScenes(Program):
     large = {SCENES / f"{name}.toml" for name in ("couette_dense", "couette_random")}
