@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include <gsl/gsl_cdf.h>
 
@@ -19,6 +21,8 @@
 namespace stokesbook {
 
 namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 struct Column {
   std::vector<double> t, y;
@@ -46,6 +50,7 @@ ResultRow collect_row(const std::filesystem::path& out, const Sweep& sweep,
     row.values.push_back(tasks.front().settings[k].chosen.value);
   }
   std::vector<std::vector<double>> values(sweep.quantities.size());
+  std::vector<MeanEstimate> latest(sweep.quantities.size());
   for (const Task& task : tasks) {
     const TaskFolder folder(out, task.number);
     const TaskState state = folder.state();
@@ -54,10 +59,13 @@ ResultRow collect_row(const std::filesystem::path& out, const Sweep& sweep,
     if (state != TaskState::done) continue;
     ++row.runs;
     for (std::size_t j = 0; j < values.size(); ++j) {
-      values[j].push_back(value_of(folder.path(), sweep.quantities[j]));
+      latest[j] = value_of(folder.path(), sweep.quantities[j]);
+      values[j].push_back(latest[j].mean);
     }
   }
-  for (const auto& of_quantity : values) row.estimates.push_back(estimate_mean(of_quantity));
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    row.estimates.push_back(row.runs == 1 ? latest[j] : estimate_mean(values[j]));
+  }
   return row;
 }
 
@@ -86,34 +94,34 @@ double time_average(std::span<const double> t, std::span<const double> y, double
   return integral / (to - from);
 }
 
-double value_of(const std::filesystem::path& run, const Quantity& quantity) {
+MeanEstimate value_of(const std::filesystem::path& run, const Quantity& quantity) {
   const std::filesystem::path path = run / quantity.table;
   const auto [t, y] = read_column(path, quantity);
   if (y.empty()) {
     throw RecordError(path, quantity.item ? "has no row of number " + std::to_string(*quantity.item)
                                           : "has no rows");
   }
+  const auto without_error = [](double value) { return MeanEstimate{value, undefined, undefined}; };
   switch (quantity.reduction) {
     case Reduction::average:
       try {
-        return time_average(t, y, quantity.from, quantity.to);
+        return mean_over_time(t, y, quantity.from, quantity.to);
       } catch (const std::invalid_argument& error) {
         throw RecordError(path, error.what());
       }
     case Reduction::last:
-      return y.back();
+      return without_error(y.back());
     case Reduction::least:
-      return std::ranges::min(y);
+      return without_error(std::ranges::min(y));
     case Reduction::largest:
-      return std::ranges::max(y);
+      return without_error(std::ranges::max(y));
     case Reduction::sum:
-      return std::accumulate(y.begin(), y.end(), 0.0);
+      return without_error(std::accumulate(y.begin(), y.end(), 0.0));
   }
   throw std::logic_error("a reduction without a value");
 }
 
 MeanEstimate estimate_mean(std::span<const double> values) {
-  constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
   if (values.empty()) return {undefined, undefined, undefined};
   const auto n = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
@@ -123,6 +131,31 @@ MeanEstimate estimate_mean(std::span<const double> values) {
   for (const double x : values) squares += (x - mean) * (x - mean);
   const double standard_error = std::sqrt(squares / (n * (n - 1.0)));
   return {mean, standard_error, gsl_cdf_tdist_Pinv(0.975, n - 1.0) * standard_error};
+}
+
+MeanEstimate mean_over_time(std::span<const double> t, std::span<const double> y, double from,
+                            double to) {
+  constexpr std::ptrdiff_t most_blocks = 32, least_blocks = 8;
+  const double mean = time_average(t, y, from, to);
+  const auto n = std::min(
+      most_blocks, std::ranges::count_if(t, [&](double at) { return at >= from && at <= to; }));
+  if (n < least_blocks || std::isnan(mean)) return {mean, undefined, undefined};
+  const double count = static_cast<double>(n), length = (to - from) / count;
+  double squares = 0.0, products = 0.0, before = 0.0;
+  for (std::ptrdiff_t k = 0; k < n; ++k) {
+    const double begin = from + static_cast<double>(k) * length;
+    const double deviation = time_average(t, y, begin, std::min(begin + length, to)) - mean;
+    squares += deviation * deviation;
+    products += deviation * std::exchange(before, deviation);
+  }
+  if (squares == 0.0) return {mean, 0.0, 0.0};
+  // On average, r is too small by (1 + 3 rho) / n.
+  const double r = products / squares;
+  constexpr double most_correlation = 0.9;
+  const double rho = std::clamp(r + (1.0 + 3.0 * r) / count, 0.0, most_correlation);
+  const double independent = std::max(2.0, count * (1.0 - rho) / (1.0 + rho));
+  const double standard_error = std::sqrt(squares / ((count - 1.0) * independent));
+  return {mean, standard_error, gsl_cdf_tdist_Pinv(0.975, independent - 1.0) * standard_error};
 }
 
 std::vector<ResultRow> collect(const std::filesystem::path& out, const Sweep& sweep,

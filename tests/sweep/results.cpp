@@ -6,6 +6,7 @@
 
 #include "sweep/sweep_folder.hpp"
 #include "sweep_files.hpp"
+#include "text/number_text.hpp"
 
 using namespace stokesbook;
 using namespace stokesbook::test;
@@ -64,6 +65,26 @@ BOOST_AUTO_TEST_CASE(runs_that_are_done_count) {
   BOOST_TEST(rows[1].failed == 1);
   BOOST_TEST(rows[1].unfinished == 1);
   BOOST_TEST(rows[1].estimates[0].mean == 7.0);
+}
+
+// The average of a single run has the error of its mean over time.
+BOOST_AUTO_TEST_CASE(a_single_run_has_errors_over_time) {
+  const Folder folder;
+  const Sweep sweep = folder.sweep(sweep_text);
+  std::string rows = "t,s12\n";
+  std::vector<double> t, y;
+  for (int k = 0; k <= 20; ++k) {
+    t.push_back(0.1 * k);
+    y.push_back(std::sin(3.0 * k));
+    rows += exact_number(t.back()) + "," + exact_number(y.back()) + "\n";
+  }
+  folder.write(TaskFolder::name(0) + "/run.json", "{\"exit_status\": 0}\n");
+  folder.write(TaskFolder::name(0) + "/rheology.csv", rows);
+  const MeanEstimate found = collect(folder.path(), sweep)[0].estimates[0];
+  const MeanEstimate expected = mean_over_time(t, y, 0.0, 2.0);
+  BOOST_TEST(found.standard_error > 0.0);
+  BOOST_TEST(found.standard_error == expected.standard_error);
+  BOOST_TEST(found.interval == expected.interval);
 }
 
 BOOST_AUTO_TEST_CASE(tables) {

@@ -62,10 +62,10 @@ BOOST_AUTO_TEST_CASE(each_reduction) {
   const Folder folder;
   folder.write("rheology.csv", "t,s11\n0,1\n1,4\n3,-2\n");
   Quantity quantity{"a", "rheology.csv", "s11", {}, Reduction::average, 0.0, 3.0, ""};
-  BOOST_TEST(value_of(folder.path(), quantity) == 4.5 / 3.0);
+  BOOST_TEST(value_of(folder.path(), quantity).mean == 4.5 / 3.0);
   const auto value = [&](Reduction reduction) {
     quantity.reduction = reduction;
-    return value_of(folder.path(), quantity);
+    return value_of(folder.path(), quantity).mean;
   };
   BOOST_TEST(value(Reduction::last) == -2.0);
   BOOST_TEST(value(Reduction::least) == -2.0);
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(one_body_of_several) {
   const Folder folder;
   folder.write("trajectory.csv", "t,body,x\n0,0,1\n0,1,10\n1,0,3\n1,1,30\n");
   Quantity quantity{"x", "trajectory.csv", "x", 1, Reduction::average, 0.0, 1.0, ""};
-  BOOST_TEST(value_of(folder.path(), quantity) == 20.0);
+  BOOST_TEST(value_of(folder.path(), quantity).mean == 20.0);
   quantity.item = 2;
   BOOST_TEST(message_of<RecordError>(folder, [&] { value_of(folder.path(), quantity); }) ==
              "trajectory.csv: has no row of number 2");
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_defined_stays_so) {
   const Folder folder;
   folder.write("rheology.csv", "t,torque_ratio\n0,nan\n1,nan\n");
   const Quantity quantity{"a", "rheology.csv", "torque_ratio", {}, Reduction::last, 0, 0, ""};
-  BOOST_TEST(std::isnan(value_of(folder.path(), quantity)));
+  BOOST_TEST(std::isnan(value_of(folder.path(), quantity).mean));
 }
 
 BOOST_AUTO_TEST_CASE(damaged_tables) {
