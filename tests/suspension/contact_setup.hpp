@@ -36,6 +36,19 @@ inline Scene loaded(const std::vector<Body>& bodies, double separation) {
   return scene;
 }
 
+/// Returns the same scene with another tolerance of the solver.
+inline Scene solved_to(Scene scene, double tolerance) {
+  scene.solver.tolerance = tolerance;
+  return scene;
+}
+
+/// Returns unit disks at the separation that opposite forces press together: contact forces cancel
+/// these loads, and all is at rest.
+inline Scene pressed_disks() {
+  return solved_to(loaded({pushed(Circle{1.0}, -1.05, 1.0), pushed(Circle{1.0}, 1.05, -1.0)}, 0.1),
+                   1e-6);
+}
+
 /// Returns unit disks that a flow of rate 30 drives together: without contact they would overlap at
 /// the end of a step, or would have passed each other.
 inline Scene head_on(double offset) {
@@ -67,12 +80,6 @@ inline Scene in_container(double radius, const std::vector<Body>& bodies, double
   Scene scene = in_contact(QuiescentFlow{}, bodies, separation);
   scene.walls = {container(radius)};
   scene.solver.tolerance = 1e-3;
-  return scene;
-}
-
-/// Returns the same scene with another tolerance of the solver.
-inline Scene solved_to(Scene scene, double tolerance) {
-  scene.solver.tolerance = tolerance;
   return scene;
 }
 

@@ -307,7 +307,7 @@ Solution SuspensionSolver::solve_refined(const Solution& solution) const {
 ComplexVector SuspensionSolver::velocity(const Solution& solution,
                                          const ComplexVector& points) const {
   const auto& [configuration, forcing] = solution.instant;
-  const StokesProblem problem = instant_problem(scene_, solution.instant, solution.discretisation);
+  const StokesProblem problem = loaded_problem(scene_, solution, solution.discretisation);
   const auto near_curves = scene_.solver.near_singular == NearSingular::off
                                ? std::vector<PlacedCurve>{}
                                : placed_schemes(configuration, solution.discretisation);
@@ -319,7 +319,7 @@ ComplexVector SuspensionSolver::velocity(const Solution& solution,
 }
 
 SolvedFlow SuspensionSolver::disturbance(const Solution& solution) const {
-  return {instant_problem(scene_, solution.instant, solution.discretisation),
+  return {loaded_problem(scene_, solution, solution.discretisation),
           placed_cauchy_schemes(solution.instant.configuration, solution.discretisation),
           solution.density,
           {plan_.near_tolerance, planned_sum(plan_)}};
