@@ -30,8 +30,9 @@ struct HydrodynamicMatrices {
 /// @throws SolverError as SuspensionSolver::solve() does; and when the scene has no free body, or
 ///                when its fluid is unbounded and has neither gauge length nor held component: a
 ///                single force would then cause infinite velocities (Stokes' paradox)
-/// @par Accuracy      each column to solver.tolerance, relative to the velocities of its problem
-/// @par Cost          6N solves
+/// @par Accuracy  each column to solver.tolerance, relative to the velocities of its problem,
+/// @ref claim_12_3
+/// @par Cost      6N solves
 HydrodynamicMatrices hydrodynamic_matrices(const Scene& scene);
 
 /// The properties that both matrices have up to errors, each as its largest violation. Entries are
