@@ -73,6 +73,8 @@ RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
                        .html = is_requested(OutputFormat::html),
                        .fields = scene.output.fields.has_value(),
                        .contacts = scene.contact.has_value(),
+                       .tracers = !scene.tracers.empty(),
+                       .nodes = scene.output.nodes,
                        .program = fingerprint_of_program()};
   for (std::size_t k = 0; k < solver.discretisation().size(); ++k) {
     const Curve& curve = solver.discretisation()[k]->curve;

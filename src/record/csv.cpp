@@ -58,6 +58,22 @@ std::string contact_rows(const Frame& frame) {
   return rows;
 }
 
+std::string tracer_rows(const Frame& frame) {
+  std::string rows;
+  for (std::size_t k = 0; k < frame.tracers.size(); ++k) {
+    rows += table_row(frame.t, k, frame.tracers[k]);
+  }
+  return rows;
+}
+
+std::string node_rows(const Frame& frame) {
+  std::string rows;
+  for (const auto& [component, position, normal, weight, traction, density] : frame.nodes) {
+    rows += table_row(frame.t, component.id(), position, normal, weight, traction, density);
+  }
+  return rows;
+}
+
 std::string step_row(const StepInfo& step) {
   return table_row(step.t, step.dt, step.gmres_iterations, step.matvecs, step.ncp_iterations,
                    step.contacts, step.min_gap, step.residual, step.velocity_error, step.step_error,

@@ -19,6 +19,11 @@ inline constexpr std::string_view rheology_header =
     "t,dissipation,torque_ratio,order_parameter,s11,s12,uniform_x,uniform_y\n";
 /// Header of `contacts.csv`.
 inline constexpr std::string_view contacts_header = "t,a,b,x,y,nx,ny,force,gap\n";
+/// Header of `tracers.csv`.
+inline constexpr std::string_view tracers_header = "t,tracer,x,y\n";
+/// Header of `nodes.csv`.
+inline constexpr std::string_view nodes_header =
+    "t,component,x,y,nx,ny,weight,traction_x,traction_y,density_x,density_y\n";
 /// Header of `steps.csv`.
 inline constexpr std::string_view steps_header =
     "t,dt,gmres_iterations,matvecs,ncp_iterations,contacts,min_gap,residual,velocity_error,"
@@ -37,6 +42,10 @@ std::string wall_rows(const Frame& frame);
 std::string rheology_row(const Frame& frame);
 /// Writes one line for each contact; a and b are `body:3` or `wall:0`.
 std::string contact_rows(const Frame& frame);
+/// Writes one line for each tracer.
+std::string tracer_rows(const Frame& frame);
+/// Writes one line for each node; components are numbered by ContactParty::id().
+std::string node_rows(const Frame& frame);
 /// Writes one line.
 std::string step_row(const StepInfo& step);
 /// @}

@@ -61,6 +61,16 @@ struct ContactForce {
   double gap = 0.0;    ///< gap of the curves at the end of the step with this force, length
 };
 
+/// The flow at a node of a component.
+struct NodeValues {
+  ContactParty component;  ///< body or wall
+  Complex position;        ///< length
+  Complex normal;          ///< unit vector out of the fluid
+  double weight = 0.0;     ///< weight of the node in integrals over the arclength, length
+  Complex traction;        ///< force per length of the component on the fluid, force / length^2
+  Complex density;         ///< density of the double layer, length / time
+};
+
 /// The configuration at a written time, with its velocities, loads and other results.
 struct Frame {
   double t = 0.0;                        ///< time
@@ -69,6 +79,8 @@ struct Frame {
   Rheology rheology{};                   ///< rheology of the whole suspension
   std::vector<ContactForce> contacts{};  ///< contact forces of the step that begins at t
   std::optional<Field> field{};          ///< none unless the scene requests fields
+  std::vector<Complex> tracers{};        ///< positions of the tracers, length
+  std::vector<NodeValues> nodes{};       ///< none unless the scene requests them
 };
 
 /// A closed curve in its own frame, for pictures.

@@ -24,6 +24,8 @@ constexpr const char* trajectory_name = "trajectory.csv";
 constexpr const char* walls_name = "walls.csv";
 constexpr const char* rheology_name = "rheology.csv";
 constexpr const char* contacts_name = "contacts.csv";
+constexpr const char* tracers_name = "tracers.csv";
+constexpr const char* nodes_name = "nodes.csv";
 constexpr const char* steps_name = "steps.csv";
 constexpr const char* animation_name = "animation.html";
 constexpr const char* picture_name = "configuration.svg";
@@ -49,6 +51,8 @@ std::vector<GrowingFile> growing_files(const RunContents& contents) {
   if (contents.csv) add(rheology_name, rheology_header);
   if (contents.csv && !contents.outlines.walls.empty()) add(walls_name, walls_header);
   if (contents.csv && contents.contacts) add(contacts_name, contacts_header);
+  if (contents.csv && contents.tracers) add(tracers_name, tracers_header);
+  if (contents.csv && contents.nodes) add(nodes_name, nodes_header);
   if (contents.html) add(animation_name, animation_head(contents.title, contents.outlines));
   return files;
 }
@@ -64,7 +68,8 @@ std::optional<std::size_t> frame_of(const std::string& name) {
 bool belongs_to_run(const std::string& name) {
   constexpr std::array names{checkpoint_name, kept_checkpoint, trajectory_name, walls_name,
                              rheology_name,   contacts_name,   steps_name,      animation_name,
-                             picture_name,    resistance_name, mobility_name,   info_name};
+                             picture_name,    resistance_name, mobility_name,   tracers_name,
+                             nodes_name,      info_name};
   const auto collects = [&](const FrameFiles& files) { return name == files.collection(); };
   return std::ranges::find(names, name) != names.end() ||
          std::ranges::any_of(frame_files, collects) || is_field_picture(name) || frame_of(name);
@@ -186,6 +191,8 @@ void RunDirectory::write_frame(const Frame& frame) {
   append(walls_name, wall_rows(frame));
   append(rheology_name, rheology_row(frame));
   append(contacts_name, contact_rows(frame));
+  append(tracers_name, tracer_rows(frame));
+  append(nodes_name, node_rows(frame));
   if (contents_.html) append(animation_name, animation_frame(frame));
   if (contents_.vtk) {
     replace(body_files.name(frame_count()), configuration_vtp(frame, contents_.outlines));

@@ -57,8 +57,8 @@ BackgroundFlow read_flow(const Node& node, std::vector<std::string_view> others)
 
 SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
   const TableReader root(
-      node, {"title", "seed", "fluid", "flow", "walls", "bodies", "body_lists", "fill", "gravity",
-             "magnetic_field", "repulsion", "solver", "time", "contact", "output"});
+      node, {"title", "seed", "fluid", "flow", "walls", "bodies", "body_lists", "fill", "tracers",
+             "gravity", "magnetic_field", "repulsion", "solver", "time", "contact", "output"});
   SceneFile file;
   auto& [scene, fills] = file;
   scene.title = root.get("title", Requirement<std::string>{"text"}, scene.title);
@@ -86,6 +86,7 @@ SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
   }
   scene.bodies = read_bodies(root, directory);
   fills = read_fills(root, directory, enclosed);
+  scene.tracers = read_tracers(root);
   scene.gravity = read_gravity(root);
   scene.magnetic_field = read_magnetic_field(root);
   scene.repulsion = read_repulsion(root);

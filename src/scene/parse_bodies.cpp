@@ -1,8 +1,9 @@
 // Reads the sections of a scene file that place curves in the plane: [[walls]], [[bodies]],
 // [[body_lists]], in which each row of a CSV file becomes a body, and [[fill]], whose bodies
-// place_fills() places later.
+// place_fills() places later; and the points of [[tracers]].
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <string>
@@ -206,6 +207,35 @@ std::vector<Fill> read_fill(const Node& node, const TableReader& root,
   return sizes ? split_by_size(*sizes, fill) : std::vector{fill};
 }
 
+/// Reads points, or the points of a grid that begins at the lower left corner of a box.
+std::vector<Complex> read_points(const Node& node) {
+  const TableReader table(node, {"points", "box", "spacing"});
+  std::vector<Complex> points;
+  if (table.find("box") == nullptr) {
+    const std::string expected = "a list of points [[x, y], ...]";
+    for (const Node& point :
+         elements_of(table.at("points", expected + ", or give a box"), expected)) {
+      points.push_back(read(point, any_vector));
+    }
+    return points;
+  }
+  table.refuse({"points"}, "give points or a box, not both");
+  const auto [left, bottom, right, top] = table.require("box", any_box);
+  const double spacing = table.require("spacing", positive_number);
+  constexpr double most = 1e6, rounding = 1e-9;
+  const double columns = std::floor((right - left) / spacing + rounding) + 1.0,
+               rows = std::floor((top - bottom) / spacing + rounding) + 1.0;
+  if (columns * rows > most) {
+    fail(*table.find("spacing"), "must be larger: the grid has more than 1000000 points");
+  }
+  for (double row = 0.0; row < rows; ++row) {
+    for (double column = 0.0; column < columns; ++column) {
+      points.emplace_back(left + column * spacing, bottom + row * spacing);
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
 std::vector<Wall> read_walls(const TableReader& root, const std::filesystem::path& directory) {
@@ -238,6 +268,14 @@ std::vector<Fill> read_fills(const TableReader& root, const std::filesystem::pat
     std::ranges::move(read_fill(node, root, directory, enclosed), std::back_inserter(fills));
   }
   return fills;
+}
+
+std::vector<Complex> read_tracers(const TableReader& root) {
+  std::vector<Complex> tracers;
+  for (const Node& node : root.tables("tracers")) {
+    std::ranges::copy(read_points(node), std::back_inserter(tracers));
+  }
+  return tracers;
 }
 
 }  // namespace stokesbook::scene_text

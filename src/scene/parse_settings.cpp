@@ -215,7 +215,7 @@ OutputSettings read_output(const TableReader& root) {
   OutputSettings output;
   const Node* node = root.find("output");
   if (node == nullptr) return output;
-  const TableReader table(*node, {"dt_write", "formats", "fields"});
+  const TableReader table(*node, {"dt_write", "formats", "fields", "nodes"});
   output.dt_write = table.get("dt_write", positive_number);
   if (const Node* time = root.find("time")) {
     refuse_endless(table, "dt_write", *TableReader(*time).find("t_final"));
@@ -224,6 +224,7 @@ OutputSettings read_output(const TableReader& root) {
     output.formats = read_distinct(*formats, output_formats);
   }
   if (const Node* fields = table.find("fields")) output.fields = read_fields(*fields);
+  output.nodes = table.get("nodes", any_flag, output.nodes);
   return output;
 }
 

@@ -378,6 +378,7 @@ struct OutputSettings {
   std::optional<double> dt_write{};  ///< time between frames; none: every step
   std::vector<OutputFormat> formats = {OutputFormat::csv};  ///< distinct, at least one
   std::optional<FieldSettings> fields{};                    ///< none: no fields
+  bool nodes = false;                                       ///< true: also the values at nodes
   bool operator==(const OutputSettings&) const = default;   ///< compares all members
 };
 
@@ -396,7 +397,8 @@ struct Scene {
   std::optional<Repulsion> repulsion{};           ///< none: no repulsion
   std::vector<Wall> walls{};                      ///< in file order
   std::vector<Body> bodies{};  ///< [[bodies]] first, then [[body_lists]], both in file order
-  SolverSettings solver{};     ///< for the solve at one instant
+  std::vector<Complex> tracers{};  ///< points that the fluid carries; without those outside it
+  SolverSettings solver{};         ///< for the solve at one instant
   std::optional<TimeSettings> time{};             ///< none: one solve at t = 0
   std::optional<ContactSettings> contact{};       ///< none: an overlap stops the run
   OutputSettings output{};                        ///< for the files of the run

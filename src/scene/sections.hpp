@@ -49,6 +49,9 @@ std::vector<Body> read_bodies(const TableReader& root, const std::filesystem::pa
 std::vector<Fill> read_fills(const TableReader& root, const std::filesystem::path& directory,
                              bool enclosed);
 
+/// Reads [[tracers]]: the points of lists and grids.
+std::vector<Complex> read_tracers(const TableReader& root);
+
 /// Reads [solver].
 SolverSettings read_solver(const TableReader& root);
 

@@ -250,7 +250,8 @@ std::string section(const OutputSettings& output) {
   }
   return "\n[output]\n" + lines({{"dt_write", output.dt_write},
                                  {"formats", names_of(output.formats, output_formats)},
-                                 {"fields", fields}});
+                                 {"fields", fields},
+                                 {"nodes", output.nodes ? std::optional(true) : std::nullopt}});
 }
 
 }  // namespace
@@ -263,6 +264,7 @@ std::string to_toml(const SceneFile& file) {
   for (const Wall& wall : scene.walls) text += section(wall);
   for (const Body& body : scene.bodies) text += section(body);
   for (const Fill& fill : fills) text += section(fill);
+  if (!scene.tracers.empty()) text += "\n[[tracers]]\n" + lines({{"points", scene.tracers}});
   text += load_sections_of(scene) + section(scene.solver);
   if (scene.time) text += section(*scene.time);
   if (scene.contact) text += section(*scene.contact);

@@ -64,7 +64,8 @@ BOOST_AUTO_TEST_CASE(top_level) {
       {"title = 'x'\n\n[solvr]\n", "s.toml:3:2: solvr: unknown key, did you mean 'solver'?"},
       {"zeta = 1\nalpha = 1\n",
        "s.toml:1:1: zeta = 1: unknown key; valid keys: title, seed, fluid, flow, walls, bodies, "
-       "body_lists, fill, gravity, magnetic_field, repulsion, solver, time, contact, output"},
+       "body_lists, fill, tracers, gravity, magnetic_field, repulsion, solver, time, contact, "
+       "output"},
       {"[bodies]\n",
        "s.toml:1:1: bodies: must be an array of tables: write [[bodies]], not a table"},
       {"bodies = [1]\n", "s.toml:1:11: bodies[0] = 1: must be a table, not an integer"},
@@ -191,6 +192,19 @@ BOOST_AUTO_TEST_CASE(settings) {
       {"[time]\nt_end = 1\n",
        "s.toml:2:1: time.t_end = 1: unknown key; valid keys: t_final, dt, method, tolerance, "
        "dt_min, dt_max, effort"},
+      {"[output]\nnodes = 1\n",
+       "s.toml:2:9: output.nodes = 1: must be true or false, not an integer"},
+      {"[[tracers]]\nspacing = 1\n",
+       "s.toml:1:1: tracers[0].points is missing: must be a list of points [[x, y], ...], or give "
+       "a "
+       "box"},
+      {"[[tracers]]\npoints = [[1, 2], [3]]\n",
+       "s.toml:2:19: tracers[0].points[1] = [3]: must be two numbers [x, y], not an array of 1"},
+      {"[[tracers]]\npoints = [[1, 2]]\nbox = [0, 0, 1, 1]\n",
+       "s.toml:2:1: tracers[0].points = [[1, 2]]: give points or a box, not both"},
+      {"[[tracers]]\nbox = [0, 0, 1, 1]\nspacing = 1e-4\n",
+       "s.toml:3:11: tracers[0].spacing = 1e-04: must be larger: the grid has more than 1000000 "
+       "points"},
       {"[output]\ndt_write = 0\n", "s.toml:2:12: output.dt_write = 0: must be a number > 0"},
       {"[output]\nformats = 'csv'\n",
        "s.toml:2:11: output.formats = \"csv\": must be a list of one or more of csv, vtk, svg, "

@@ -226,6 +226,8 @@ void add_settings(SceneFile& file, Dice& dice) {
   if (dice.coin()) scene.time = dice.coin() ? fixed_steps(dice) : adapted_steps(dice);
   if (dice.coin()) add_contact(file, dice);
   if (dice.coin()) scene.output.dt_write = dice.positive();
+  scene.output.nodes = dice.coin();
+  for (int k = dice.integer(0, 3); k > 0; --k) scene.tracers.push_back(dice.vector());
   if (scene.time) let_end(*scene.time, scene.output.dt_write);
   scene.output.formats = dice.one_of<std::vector<OutputFormat>>({{csv}, {vtk, csv}, {svg, html}});
   if (dice.coin()) {

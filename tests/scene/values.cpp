@@ -362,4 +362,16 @@ BOOST_AUTO_TEST_CASE(automatic_nodes_are_a_word) {
   BOOST_TEST(fills.at(0).n_nodes == automatic_nodes);
 }
 
+BOOST_AUTO_TEST_CASE(tracers) {
+  BOOST_TEST(parse(disk()).tracers.empty());
+  const Scene scene = parse(
+      "[[tracers]]\npoints = [[1, 2], [-3, 0.5]]\n[[tracers]]\nbox = [0, 1, 1, 1.6]\nspacing = "
+      "0.5\n" +
+      disk() + "[output]\nnodes = true\n");
+  const std::vector<Complex> expected{{1, 2}, {-3, 0.5}, {0, 1},     {0.5, 1},
+                                      {1, 1}, {0, 1.5},  {0.5, 1.5}, {1, 1.5}};
+  BOOST_TEST((scene.tracers == expected));
+  BOOST_TEST(scene.output.nodes);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -224,6 +224,44 @@ BOOST_AUTO_TEST_CASE(fields_on_given_nodes_stay_and_are_estimated) {
   }
 }
 
+// A disk that turns in an unbounded fluid has the traction 2 mu omega along its rim; the traction
+// on each component adds up to its load; the mean normal traction on a container is that of the
+// flow without its mean pressure.
+BOOST_AUTO_TEST_CASE(values_at_nodes) {
+  const double mu = 1.3, omega = 0.7;
+  Scene turning = scene({held_body(Circle{0.8}, 64, {1.0, 2.0}, 0.0, {0.0, omega})});
+  turning.viscosity = mu;
+  const Solved one(turning);
+  for (const NodeValues& node : node_values(one.solver, one.solution)) {
+    BOOST_TEST(std::abs(node.traction - 2.0 * mu * omega * perp(-node.normal)) < 1e-11);
+    BOOST_TEST(std::abs(node.position - Complex(1.0, 2.0) + 0.8 * node.normal) < 1e-14);
+  }
+  const Solved several(scene({body(Ellipse{0.9, 0.5}, 128, {-1.0, 0.2}, 0.4, {{1.0, 0.3}, 0.2}),
+                              held_body(Circle{0.6}, 128, {1.1, -0.2})},
+                             {}, {outer_wall(Ellipse{3.5, 3.0}, 192, RotatingWall{0.2})}));
+  std::vector<Load> loads(3);
+  double mean = 0.0, length = 0.0;
+  Index k = 0;
+  for (const auto& [party, position, normal, weight, traction, density] :
+       node_values(several.solver, several.solution)) {
+    const std::size_t component = party.is_wall ? 2 : party.number;
+    const Complex centre = several.solution.instant.configuration[component].position;
+    loads[component].force += weight * traction;
+    loads[component].torque += weight * cross(position - centre, traction);
+    BOOST_TEST((density == several.solution.density[k++]));
+    if (!party.is_wall) continue;
+    mean += weight * dot(normal, traction);
+    length += weight;
+  }
+  for (std::size_t component = 0; component < 3; ++component) {
+    const auto& [force, torque] = several.solution.loads[component];
+    BOOST_TEST(std::abs(loads[component].force - force) < 1e-9);
+    BOOST_TEST(std::abs(loads[component].torque - torque) < 1e-9);
+  }
+  // No fluid passes a wall that moves rigidly, where n . (sigma + p) n = 0 on the mean.
+  BOOST_TEST(std::abs(mean / length) < 1e-8);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace stokesbook::test

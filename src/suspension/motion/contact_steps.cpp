@@ -137,7 +137,7 @@ double ContactSteps::planned_end(const RunState& state) const {
 // Halves the step until its first stage is resolved.
 StepStart ContactSteps::begin(const RunState& state, TimedSolution flow, double t_end) {
   const double t = state.now.t;
-  const Configuration here = to_configuration(state.now.state);
+  const Configuration here = configuration_of(solver_, state.now.state);
   t_end = end_within_scene(solver_.scene(), flow.solution, t, t_end, settings_.dt_min);
   if (time_.tolerance) {
     // Contact forces act where the bodies are at the beginning: bodies must not move far past each
@@ -146,7 +146,7 @@ StepStart ContactSteps::begin(const RunState& state, TimedSolution flow, double 
     const double reach = contact_.relative_displacement(here, to_rate(flow.solution), dt);
     if (reach > 1.0) t_end = t + std::max(dt / reach, settings_.dt_min);
   }
-  const VectorXd at_rest = VectorXd::Zero(state.now.state.size());
+  const VectorXd at_rest = VectorXd::Zero(3 * std::ssize(here));
   StageSolution stage{std::move(flow)};
   while (true) {
     const ContactStage problem{.index = 0,
@@ -225,12 +225,14 @@ ContactSteps::SecondStage ContactSteps::second_stage(const RunState& state, cons
                                                      const StepInfo& info) {
   const double dt = start.t_end - state.now.t;
   const ContactResult& first = start.contact->outcome.result;
-  const VectorXd predicted = state.now.state + dt * first.velocity;
-  const Configuration acting = to_configuration(predicted);
+  const VectorXd first_rate =
+      with_tracers(solver_, first.velocity, start.contact->solution, state.now.state);
+  const VectorXd predicted = state.now.state + dt * first_rate;
+  const Configuration acting = admitted_configuration(solver_, start.t_end, predicted);
   const ContactStage problem{.index = 1,
                              .t = start.t_end,
                              .dt = dt,
-                             .start = to_configuration(state.now.state),
+                             .start = configuration_of(solver_, state.now.state),
                              .acting = acting,
                              .share = 0.5,
                              .known_velocity = 0.5 * first.velocity,
@@ -239,11 +241,18 @@ ContactSteps::SecondStage ContactSteps::second_stage(const RunState& state, cons
   StageSolution stage =
       stages_.resolve(problem, {instants_.solve_stage({start.t_end, state.now.t}, acting)});
   auto& [outcome, solution, cost, seconds] = stage.contact;
-  const Configuration end = to_configuration(state.now.state + dt * outcome.result.velocity);
-  const double distance = largest_distance(stage.flow.solution.discretisation, acting, end);
+  const VectorXd& velocity = outcome.result.velocity;  // the mean of both stages
+  VectorXd rate = first_rate;
+  if (outcome.is_resolved()) {
+    rate = 0.5 * (first_rate + with_tracers(solver_, velocity, solution, predicted));
+  }
+  rate.head(velocity.size()) = velocity;
+  const VectorXd end = state.now.state + dt * rate;
+  const double distance =
+      largest_distance(stage.flow.solution.discretisation, acting, configuration_of(solver_, end));
   return {with_contact(with_solve(info, stage.flow.solution, stage.flow.seconds), outcome, cost,
                        seconds),
-          std::move(outcome), to_state(end) - predicted,
+          std::move(outcome), std::move(rate), end - predicted,
           distance / (settings_.bound.tolerance * settings_.bound.scale[0])};
 }
 
@@ -255,8 +264,11 @@ TakenStep ContactSteps::finish(const RunState& state, const StepStart& start,
   const ContactOutcome& last = second ? second->outcome : first;
   info.t = start.t_end;
   info.dt = start.t_end - state.now.t;
-  const VectorXd end = state.now.state + info.dt * last.result.velocity;
-  const Configuration configuration = to_configuration(end);
+  const VectorXd rate = second ? second->rate
+                               : with_tracers(solver_, first.result.velocity,
+                                              start.contact->solution, state.now.state);
+  const VectorXd end = state.now.state + info.dt * rate;
+  const Configuration configuration = admitted_configuration(solver_, start.t_end, end);
   const std::string pairs = contact_.too_close(configuration, *state.closer);
   if (!pairs.empty()) {
     throw ConfigurationError(at_time(start.t_end) +
@@ -271,9 +283,10 @@ TakenStep ContactSteps::finish(const RunState& state, const StepStart& start,
   if (!time_.effort) memory.dt = next_dt(state, start, second, rejected);
   // By Euler's method: the flow's velocity changes from the beginning to the end of the step; the
   // velocity that contact adds is assumed to stay.
-  VectorXd error =
-      second ? second->error
-             : VectorXd(0.5 * info.dt * (to_rate(flow.solution) - to_rate(start.flow.solution)));
+  VectorXd error = second ? second->error
+                          : VectorXd(0.5 * info.dt *
+                                     (state_rate(solver_, flow.solution, end) -
+                                      state_rate(solver_, start.flow.solution, state.now.state)));
   std::string warning = this->warning(memory);
   return {{state.now, {start.t_end, end, {}}},
           std::move(memory),

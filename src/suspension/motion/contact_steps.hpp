@@ -37,6 +37,7 @@ class ContactSteps : public Steps {
   struct SecondStage {
     StepInfo info;           // data of the step so far
     ContactOutcome outcome;  // with the mean velocity of the step
+    Eigen::VectorXd rate;    // mean velocity of the step
     Eigen::VectorXd error;   // error of the first half
     double scaled_error;     // largest distance of a boundary point, over what is allowed
   };

@@ -80,7 +80,8 @@ std::string PassingTest::describe_passing(const Configuration& start, const Conf
 
 FreeSteps::FreeSteps(const SuspensionSolver& solver, const OutputSchedule& schedule,
                      InstantSolver& instants, RunStatistics& statistics)
-    : schedule_(schedule),
+    : solver_(solver),
+      schedule_(schedule),
       instants_(instants),
       statistics_(statistics),
       settings_(stepping_settings(solver)),
@@ -92,24 +93,26 @@ StepStart FreeSteps::begin(const RunState& state, TimedSolution flow) {
 
 TakenStep FreeSteps::advance(const RunState& state, StepStart start) {
   const TimedSolution& first = start.flow;
-  const Configuration here = to_configuration(state.now.state);
+  const Configuration here = configuration_of(solver_, state.now.state);
   StepInfo info = begin_step(first.solution, first.seconds);
   const double closest = info.min_gap;
   std::optional<TimedSolution> last;
   const auto within = [&](double t, const VectorXd& q) {
-    const TimedSolution stage = instants_.solve_stage({t, state.now.t}, to_configuration(q));
+    const TimedSolution stage =
+        instants_.solve_stage({t, state.now.t}, admitted_configuration(solver_, t, q));
     info = with_solve(info, stage.solution, stage.seconds);
-    return to_rate(stage.solution);
+    return state_rate(solver_, stage.solution, q);
   };
   const auto at_end = [&](double t, const VectorXd& q) {
     if (last) info = with_solve(info, last->solution, last->seconds);  // the step was rejected
-    const Configuration there = to_configuration(q);
+    const Configuration there = admitted_configuration(solver_, t, q);
     const std::string passing = passing_.describe_passing(here, there, closest);
     if (!passing.empty()) throw ConfigurationError(at_time(t) + passing);
     last = instants_.solve({t, state.now.t}, there);
-    return to_rate(last->solution);
+    return state_rate(solver_, last->solution, q);
   };
-  const TimePoint now{state.now.t, state.now.state, to_rate(first.solution)};
+  const TimePoint now{state.now.t, state.now.state,
+                      state_rate(solver_, first.solution, state.now.state)};
   StepResult taken =
       take_step(now, state.steps, {shorter_on_error(within), shorter_on_error(at_end)});
   statistics_.totals.rejected_steps += taken.rejected;

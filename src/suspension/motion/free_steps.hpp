@@ -47,6 +47,7 @@ class FreeSteps : public Steps {
  private:
   StepResult take_step(const TimePoint& start, const StepMemory& memory, const Rates& rates) const;
 
+  const SuspensionSolver& solver_;
   const OutputSchedule& schedule_;
   InstantSolver& instants_;
   RunStatistics& statistics_;

@@ -111,8 +111,7 @@ void add_solves(History& history, const SolveMemory& solves) {
       VectorXd{{solves.error_estimate, static_cast<double>(solves.solves_since_estimate)}};
 }
 
-SolveMemory find_solves(const History& history, SolveMemory solves, Eigen::Index state_size) {
-  const auto components = static_cast<std::size_t>(state_size / 3);
+SolveMemory find_solves(const History& history, SolveMemory solves, std::size_t components) {
   solves.densities.unpack(find_vectors(history, "density"), components);
   if (const auto motions = history.find("motions"); motions != history.end()) {
     for (const auto& [velocity, omega] : to_configuration(motions->second)) {
@@ -120,7 +119,8 @@ SolveMemory find_solves(const History& history, SolveMemory solves, Eigen::Index
     }
   }
   solves.columns.densities.unpack(find_vectors(history, "contact_density"), components);
-  solves.columns.loads = history.at("contact_loads").reshaped(state_size, Eigen::AutoSize);
+  solves.columns.loads = history.at("contact_loads")
+                             .reshaped(static_cast<Eigen::Index>(3 * components), Eigen::AutoSize);
   std::ranges::copy(find_vectors(history, "contact_velocity"), solves.contact_velocities.begin());
   for (const double nodes : history.at("nodes_in_contact")) {
     solves.contact_resolutions.push_back({static_cast<int>(nodes), {}});
@@ -158,7 +158,7 @@ std::pair<RunState, RunStatistics> from_checkpoint(const Checkpoint& checkpoint,
   errors = history.at("errors");
   resolution.configuration_error = bound.in_units_of_scale(errors);
 
-  state.solves = find_solves(history, std::move(state.solves), checkpoint.state.size());
+  state.solves = find_solves(history, std::move(state.solves), resolution.first_nodes.size());
   return {std::move(state), std::move(statistics)};
 }
 

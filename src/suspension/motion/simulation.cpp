@@ -38,11 +38,10 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer, LoadFu
     : solver_(solver),
       observer_(std::move(observer)),
       schedule_(solver.scene()),
-      statistics_{.errors = VectorXd::Zero(to_state(solver.start().configuration).size()),
+      statistics_{.errors = VectorXd::Zero(initial_state(solver).size()),
                   .bound = stepping_settings(solver).bound},
       instants_(solver, schedule_, statistics_, std::move(loads)),
-      state_{.now = {0.0, to_state(solver.start().configuration), {}},
-             .solves = instants_.memory()} {
+      state_{.now = {0.0, initial_state(solver), {}}, .solves = instants_.memory()} {
   const std::optional<TimeSettings>& time = solver.scene().time;
   require(!time || is_embedded(time->method) || time->dt,
           "time.dt is required: the method of the scene does not choose its first step");
@@ -64,7 +63,7 @@ void Simulation::continue_from(const Checkpoint& checkpoint) {
   statistics_ = std::move(statistics);
   state_.now = std::move(reached.now);
   state_.last_written = reached.last_written;
-  state_.closer = steps_->admit_start(to_configuration(state_.now.state));
+  state_.closer = steps_->admit_start(configuration_of(solver_, state_.now.state));
 }
 
 // [run]
@@ -87,7 +86,7 @@ void Simulation::solve_once() {
 
 // Solves for the flow where the run is: at its start, after a resume, or after a restart.
 TimedSolution Simulation::solve_flow() {
-  const Configuration configuration = to_configuration(state_.now.state);
+  const Configuration configuration = configuration_of(solver_, state_.now.state);
   if (statistics_.totals.steps == 0) state_.closer = steps_->admit_start(configuration);
   TimedSolution flow = instants_.solve({time(), time()}, configuration);
   state_.solves = std::move(flow.before);
@@ -135,7 +134,7 @@ void Simulation::adapt_to_effort(const StepInfo& step) {
 }
 
 void Simulation::write(const StepStart& start) {
-  write(time(), start.solution(),
+  write(state_.now, start.solution(),
         start.contact ? start.contact->outcome.forces : std::vector<ContactForce>{});
 }
 
@@ -143,19 +142,23 @@ void Simulation::write(const StepStart& start) {
 void Simulation::write_within(const Step& step) {
   for (double t = schedule_.next_written(std::max(step.start.t, state_.last_written));
        t < step.end.t; t = schedule_.next_written(t)) {
-    TimedSolution frame =
-        instants_.solve({t, step.start.t}, to_configuration(interpolate(step, t)));
+    const VectorXd state = interpolate(step, t);
+    TimedSolution frame = instants_.solve({t, step.start.t}, configuration_of(solver_, state));
     instants_.memory() = std::move(frame.before);
-    write(t, frame.solution, {});
+    write({t, state, {}}, frame.solution, {});
   }
 }
 
-void Simulation::write(double t, const Solution& solution,
+void Simulation::write(const TimePoint& point, const Solution& solution,
                        const std::vector<ContactForce>& contacts) {
+  const double t = point.t;
   if (t <= state_.last_written) return;  // written before the run was resumed
   if (observer_.frame) {
     Frame frame = make_frame(t, solver_.scene().bodies.size(), solution);
     frame.contacts = contacts;
+    const ComplexVector tracers = tracers_of(solver_, point.state);
+    frame.tracers.assign(tracers.begin(), tracers.end());
+    if (solver_.scene().output.nodes) frame.nodes = node_values(solver_, solution);
     if (!rheometer_) rheometer_.emplace(solver_);
     frame.rheology = (*rheometer_)(solution);
     if (solver_.scene().output.fields) {

@@ -85,7 +85,8 @@ class Simulation {
   void adapt_to_effort(const StepInfo& step);
   void write(const StepStart& start);
   void write_within(const Step& step);
-  void write(double t, const Solution& solution, const std::vector<ContactForce>& contacts);
+  void write(const TimePoint& point, const Solution& solution,
+             const std::vector<ContactForce>& contacts);
 
   const SuspensionSolver& solver_;
   Observer observer_;

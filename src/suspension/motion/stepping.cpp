@@ -1,5 +1,4 @@
-// Connects the solver with the time steppers (chapter 09): packs the motions of a solution as a
-// rate, and translates the settings of a scene.
+// Connects the solver with the time steppers (chapter 09): translates the settings of a scene.
 #include "suspension/motion/stepping.hpp"
 
 #include <algorithm>
@@ -29,12 +28,6 @@ constexpr double error_of_a_step = 0.5;
 
 }  // namespace
 
-VectorXd to_rate(const Solution& solution) {
-  Configuration rate;
-  for (const auto& [velocity, omega] : solution.motions) rate.push_back({velocity, omega});
-  return to_state(rate);
-}
-
 SteppingSettings stepping_settings(const SuspensionSolver& solver) {
   const TimeSettings time = solver.scene().time.value_or(TimeSettings{});
   SteppingSettings settings{.method = time.method, .dt = time.dt};
@@ -48,10 +41,11 @@ SteppingSettings stepping_settings(const SuspensionSolver& solver) {
     settings.dt_max = std::min(settings.dt_max, 0.25 * shortest_period(solver.scene()));
     if (settings.dt) settings.dt = std::min(*settings.dt, settings.dt_max);
   }
-  Configuration scale(solver.discretisation().size(),
-                      {largest_radius(solver) * Complex{1.0, 1.0}, 1.0});
-  settings.bound = {error_of_a_step * time.tolerance.value_or(default_step_tolerance),
-                    to_state(scale)};
+  const Configuration unit(solver.discretisation().size(),
+                           {largest_radius(solver) * Complex{1.0, 1.0}, 1.0});
+  VectorXd scale = VectorXd::Constant(initial_state(solver).size(), largest_radius(solver));
+  scale.head(3 * std::ssize(unit)) = to_state(unit);
+  settings.bound = {error_of_a_step * time.tolerance.value_or(default_step_tolerance), scale};
   return settings;
 }
 

@@ -5,13 +5,10 @@
 
 #include "suspension/motion/contact_stages.hpp"
 #include "suspension/solver/solver.hpp"
+#include "suspension/solver/tracers.hpp"
 #include "time_stepping/stepper.hpp"
 
 namespace stokesbook {
-
-/// Packs the motions of a solution as the rate of a state: 3K numbers, the velocity and the angular
-/// velocity of each of K components.
-Eigen::VectorXd to_rate(const Solution& solution);
 
 /// Returns the settings with which a stepper advances the state of a scene.
 ///

@@ -12,6 +12,7 @@
 
 #include "near_singular/barycentric.hpp"
 #include "stress/stress.hpp"
+#include "stress/traction.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/bodies/solver_error.hpp"
 #include "trapezoid/rectangle_index.hpp"
@@ -151,6 +152,28 @@ Field evaluate_field(const SuspensionSolver& solver, const Solution& solution) {
   fill(FieldQuantity::dissipation, field.dissipation,
        [&](At at) { return dissipation_density(at, mu); });
   return field;
+}
+
+std::vector<NodeValues> node_values(const SuspensionSolver& solver, const Solution& solution) {
+  const StokesProblem problem = solver.problem(solution.instant, solution.discretisation);
+  std::vector<FlowDerivatives> flow = solver.derivatives(solution, all_nodes(curves_of(problem)));
+  const double datum = pressure_datum(solver, solution);
+  for (FlowDerivatives& at_node : flow) at_node.pressure -= datum;
+  const ComplexVector traction = boundary_traction(problem, flow);
+  std::vector<NodeValues> values;
+  const std::size_t bodies = solver.scene().bodies.size();
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const ContactParty component{k >= bodies, k >= bodies ? k - bodies : k};
+    const Curve& curve = problem.components[k].curve;
+    const ComplexVector normal = normals(curve);
+    const Eigen::VectorXd weight = weights(curve);
+    for (Index j = 0; j < curve.size(); ++j) {
+      const auto node = std::ssize(values);
+      values.push_back(
+          {component, curve.x[j], normal[j], weight[j], traction[node], solution.density[node]});
+    }
+  }
+  return values;
 }
 
 FieldErrors field_differences(const Field& p, const Field& q) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "record/field.hpp"
+#include "record/run_data.hpp"
 #include "suspension/solver/solver.hpp"
 
 namespace stokesbook {
@@ -38,6 +39,13 @@ std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
 /// @ref claim_06_8
 /// @par Cost      that of in_fluid(); two sums, one for the velocity and one for all others
 Field evaluate_field(const SuspensionSolver& solver, const Solution& solution);
+
+/// Evaluates tractions and densities at all nodes, components in order.
+///
+/// The pressure in the tractions is that of evaluate_field(). There is no estimate of the errors:
+/// the values of SuspensionSolver::solve_refined() show them.
+/// @par Cost  that of SuspensionSolver::derivatives()
+std::vector<NodeValues> node_values(const SuspensionSolver& solver, const Solution& solution);
 
 /// Errors by quantity. The keys are "velocity" and the names in field_scalars.
 using FieldErrors = std::map<std::string, double, std::less<>>;
