@@ -13,6 +13,7 @@
 
 #include "cli/analysis_command.hpp"
 #include "cli/build_info.hpp"
+#include "cli/measure_command.hpp"
 #include "cli/message.hpp"
 #include "cli/run_command.hpp"
 #include "cli/sweep_command.hpp"
@@ -103,6 +104,24 @@ void add_precision_options(CLI::App& command, PrecisionOptions& options) {
   command.add_option("--out", options.out, "directory for the results [out/<scene>_precision]");
 }
 
+void add_measure_options(CLI::App& command, MeasureOptions& options) {
+  command.add_option("run", options.run, "folder of a run")->required();
+  command.add_option("--from", options.from, "first time [0]");
+  command.add_option("--to", options.to, "last time [end of the run]");
+  command
+      .add_option("--box", options.box,
+                  "xmin,ymin,xmax,ymax: count bodies in this box [between the walls]")
+      ->delimiter(',')
+      ->expected(4);
+  command
+      .add_option("--across", options.across, "variable of the profiles: x, y or radius [radius]")
+      ->check(CLI::IsMember({"x", "y", "radius"}));
+  command.add_option("--longest", options.longest, "longest distance of pairs [8 mean radii]")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--bins", options.bins, "number of bins [40]")->check(CLI::Range(1, 10000));
+  command.add_option("--out", options.out, "directory for the results [the folder of the run]");
+}
+
 // Opens /dev/null for each standard stream that is closed. Otherwise, the next file that is opened
 // would take the number of the stream, and output for the user would be written into this file.
 void open_standard_streams() {
@@ -144,6 +163,10 @@ int run_program(int argc, char** argv) {
   PrecisionOptions precision_options;
   CLI::App& precision = *app.add_subcommand("precision", "find the cheapest accurate settings");
   add_precision_options(precision, precision_options);
+  MeasureOptions measure_options;
+  CLI::App& measuring =
+      *app.add_subcommand("measure", "measure means, distances and profiles of a run");
+  add_measure_options(measuring, measure_options);
   for (CLI::App* command : app.get_subcommands({})) {
     command->set_version_flag("--version", version_text());
   }
@@ -159,6 +182,7 @@ int run_program(int argc, char** argv) {
   if (compare.parsed()) return compare_runs(run_folder, reference, out);
   if (plot.parsed()) return plot_run(run_folder, bodies, out);
   if (precision.parsed()) return find_precision(precision_options);
+  if (measuring.parsed()) return measure_run(measure_options);
   return sweep.parsed() ? run_sweep(sweep_options) : run_scene(options);
 }
 

@@ -13,6 +13,7 @@ import sys
 import tempfile
 import time
 import unittest
+import xml.etree.ElementTree
 
 import numpy
 
@@ -573,6 +574,30 @@ class Records(Program):
         result = stokes("solve", self.scene(PAIR), "--matrices", "--out", "b", cwd=self.folder)
         self.assertEqual(result.returncode, 2, result.stdout)
         self.assertIn("flow.gauge_length", result.stderr)
+
+    def test_measure_writes_means_and_profiles(self):
+        self.run_scene("--out", "a")
+        result = stokes("measure", "a", "--from", "0.2", "--box=-4,-2,4,2", "--across", "x",
+                        "--bins", "8", "--out", "b", cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("means of 9 written times", result.stdout)
+        rheology = numpy.genfromtxt(self.folder / "a" / "rheology.csv", names=True, delimiter=",")
+        means = dict(line.split(",", 1) for line in
+                     (self.folder / "b" / "means.csv").read_text().splitlines())
+        mean = numpy.trapz(rheology["s12"][2:], rheology["t"][2:]) / 0.8
+        self.assertAlmostEqual(float(means["s12"].split(",")[0]), mean, 12)
+        profile = numpy.genfromtxt(self.folder / "b" / "profile.csv", names=True, delimiter=",")
+        area = numpy.sum(profile["area_fraction"]) * 4.0
+        self.assertAlmostEqual(area / (numpy.pi * 1.6), 1.0, 2)
+        for name in ("pair_correlation_g", "neighbours_bodies", "orientations_density",
+                     "profile_ux"):
+            xml.etree.ElementTree.parse(self.folder / "b" / f"{name}.svg")
+        for arguments, code, words in ((["nowhere"], 3, "nowhere"),
+                                       (["a", "--from", "9"], 3, "no written time"),
+                                       (["a", "--across", "z"], 1, "--across")):
+            result = stokes("measure", *arguments, cwd=self.folder)
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertIn(words, result.stderr)
 
 
 class ShippedScenes(Program):

@@ -34,7 +34,10 @@ MAY_USE = {
     "sweep": {"text", "scene", "record"},
     "study": {"text", "record"},
     "analysis": {"text", "trapezoid", "scene", "record", "study"},
-    "cli": METHODS | {"text", "suspension", "scene", "record", "sweep", "study", "analysis"},
+    "statistics": {"trapezoid", "near_singular", "suspension", "text", "scene", "record", "sweep",
+                   "study", "analysis"},
+    "cli": METHODS | {"text", "suspension", "scene", "record", "sweep", "study", "analysis",
+                      "statistics"},
 }
 
 # Methods that a library may use although their chapters are read later.
