@@ -81,6 +81,11 @@ BOOST_AUTO_TEST_CASE(events_are_jumps_kinks_and_reversals) {
   BOOST_TEST(shortest_period(driven) == 4.0);
 }
 
+BOOST_AUTO_TEST_CASE(an_instant_without_forcing_is_refused) {
+  const SuspensionSolver solver(scene({body(Circle{1.0}, 16, 0.0)}, ShearFlow{1.0}));
+  BOOST_CHECK_THROW(solver.solve({solver.start().configuration, {}}), std::invalid_argument);
+}
+
 // A disk sinks near the wall of a round container: its motion is that at which the closed form for
 // two eccentric circles gives the weight as the load, and no torque.
 BOOST_AUTO_TEST_CASE(a_buoyant_disk_near_a_wall) {

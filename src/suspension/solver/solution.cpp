@@ -9,6 +9,7 @@
 #include "suspension/bodies/background_flow.hpp"
 #include "suspension/bodies/boundary_velocity.hpp"
 #include "suspension/bodies/components.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -34,6 +35,9 @@ Complex frame_velocity(const Scene& scene, const Forcing& forcing) {
 StokesProblem instant_problem(const Scene& scene, const Instant& instant,
                               const Discretisation& discretisation) {
   const auto& [configuration, forcing] = instant;
+  require(
+      forcing.motions.size() == configuration.size() && forcing.loads.size() == scene.bodies.size(),
+      "an instant lacks its forcing: make it by SuspensionSolver::instant()");
   StokesProblem problem{{}, scene.viscosity, {}, scene.gauge_length};
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const auto [position, orientation] = configuration[k];

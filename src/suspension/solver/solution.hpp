@@ -55,6 +55,7 @@ Complex frame_velocity(const Scene& scene, const Forcing& forcing);
 /// Data of free bodies in an unbounded fluid are straining_velocity(), those of all other
 /// components the velocities relative to frame_velocity(): the solver solves for a disturbance that
 /// does not depend on how fast the flow or the container carries all bodies.
+/// @throws std::invalid_argument when the forcing of the instant is not that of this scene
 StokesProblem instant_problem(const Scene& scene, const Instant& instant,
                               const Discretisation& discretisation);
 
