@@ -38,8 +38,8 @@ struct RunOptions {
 
 /// Reads a scene and places its fills.
 /// @throws SceneError
-FilledScene load_scene(const std::filesystem::path& path,
-                       const std::vector<std::string>& overrides, bool needs_time = true);
+FilledScene load_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+                       bool needs_time = true);
 
 /// Runs a scene, writes its files, and returns the exit code.
 /// @throws SceneError, SolverError, RecordError

@@ -99,8 +99,8 @@ const CsvHeader list_header{
 
 std::vector<Body> read_body_list(const Node& node, const TableReader& root,
                                  const std::filesystem::path& directory) {
-  const TableReader table(node, {"file", "shape", "force", "torque", "n_nodes", "slip",
-                                 "amplitude", "density", "trap", "magnetic_moment"});
+  const TableReader table(node, {"file", "shape", "force", "torque", "n_nodes", "slip", "amplitude",
+                                 "density", "trap", "magnetic_moment"});
   const Node& file = table.at("file", describe(csv_file_name));
   const CsvTable rows = read_csv_file(file, directory, list_header);
   Body body;  // with the properties that all bodies of the list share

@@ -396,7 +396,7 @@ struct Scene {
   std::optional<MagneticField> magnetic_field{};  ///< none: no field
   std::optional<Repulsion> repulsion{};           ///< none: no repulsion
   std::vector<Wall> walls{};                      ///< in file order
-  std::vector<Body> bodies{};  ///< [[bodies]] first, then [[body_lists]], both in file order
+  std::vector<Body> bodies{};      ///< [[bodies]] first, then [[body_lists]], both in file order
   std::vector<Complex> tracers{};  ///< points that the fluid carries; without those outside it
   SolverSettings solver{};         ///< for the solve at one instant
   std::optional<TimeSettings> time{};             ///< none: one solve at t = 0
