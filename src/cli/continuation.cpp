@@ -9,14 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "record/csv.hpp"
-#include "scene/csv_table.hpp"
+#include "record/number_table.hpp"
 #include "scene/parse.hpp"
 #include "suspension/bodies/configuration.hpp"
 #include "suspension/motion/output_schedule.hpp"
 #include "text/fingerprint.hpp"
 #include "text/number_text.hpp"
-#include "text/text_file.hpp"
 #include "text/word_list.hpp"
 
 namespace stokesbook {
@@ -102,22 +100,33 @@ void require_same(const fs::path& run, const std::string& kind, const auto& give
                 std::to_string(given.size()) + ": number, order and shapes must be the same");
 }
 
-/// Returns the rows of a trajectory at a written time, which is the last one by default.
-std::vector<CsvRow> rows_at(const fs::path& run, std::optional<double> time) {
+struct TimedPoses {
+  double t;
+  Configuration poses;
+};
+
+/// Returns a written time of a run, by default the last one, and the poses of its bodies there.
+TimedPoses poses_at(const fs::path& run, std::optional<double> time) {
   const fs::path path = run / "trajectory.csv";
-  const std::optional<std::string> text = read_text_file(path);
-  if (!text) fail(run, "has no trajectory.csv, which a run writes with the format \"csv\"");
-  const std::string_view header = trajectory_header.substr(0, trajectory_header.size() - 1);
-  std::vector<CsvRow> rows = parse_csv(*text, path.string(), {header}).rows;
-  const double asked = time.value_or(rows.back().values[0]);
-  const auto distance = [=](const CsvRow& row) { return std::abs(row.values[0] - asked); };
-  const double t = std::ranges::min_element(rows, {}, distance)->values[0];
+  if (!fs::exists(path)) {
+    fail(run, "has no trajectory.csv, which a run writes with the format \"csv\"");
+  }
+  const NumberTable table = read_table(path);
+  const std::vector<double>& times = table["t"];
+  if (times.empty()) fail(run, "has written no state");
+  const double asked = time.value_or(times.back());
+  const auto distance = [=](double t) { return std::abs(t - asked); };
+  const double t = *std::ranges::min_element(times, {}, distance);
   if (std::abs(t - asked) > 1e-9 * std::abs(asked)) {  // beyond the rounding of a given time
     fail(run, "has not written t = " + number_text(asked) + "; the nearest written time is " +
                   number_text(t));
   }
-  std::erase_if(rows, [=](const CsvRow& row) { return row.values[0] != t; });
-  return rows;
+  TimedPoses found{t, {}};
+  for (std::size_t row = 0; row < times.size(); ++row) {
+    if (times[row] != t) continue;
+    found.poses.push_back({{table["x"][row], table["y"][row]}, table["theta"][row]});
+  }
+  return found;
 }
 
 /// Returns whether a wall looks as at the start of its run.
@@ -170,19 +179,22 @@ Scene start_from(Scene scene, const fs::path& run, std::optional<double> time) {
   const Scene before = read_scene(run / "scene.toml").scene;
   require_same(run, "bodies", scene.bodies, before.bodies);
   require_same(run, "walls", scene.walls, before.walls);
-  const std::vector<CsvRow> rows = rows_at(run, time);
-  if (rows.size() != scene.bodies.size()) fail(run, "has not written the whole state");
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const std::vector<double>& row = rows[k].values;  // t, body, x, y, theta, ...
-    scene.bodies[k].position = {row[2], row[3]};
-    scene.bodies[k].orientation = row[4];
+  const auto [t, bodies] = poses_at(run, time);
+  if (bodies.size() != scene.bodies.size()) fail(run, "has not written the whole state");
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    Body& body = scene.bodies[k];
+    // A trap without a centre holds a body at its start in the scene, not where the run has ended.
+    if (body.loads.trap && !body.loads.trap->centre) body.loads.trap->centre = body.position;
+    body.position = bodies[k].position;
+    body.orientation = bodies[k].orientation;
   }
   if (scene.walls.empty()) return scene;
   const Checkpoint last = read_saved_run(run / "checkpoint").checkpoint;
-  const Configuration poses = to_configuration(last.state);
+  const auto components = static_cast<Eigen::Index>(bodies.size() + scene.walls.size());
+  const Configuration poses = to_configuration(last.state.head(3 * components));  // no tracers
   for (std::size_t k = 0; k < scene.walls.size(); ++k) {
-    const auto& [position, orientation] = poses.at(rows.size() + k);
-    if (last.t != rows[0].values[0] && !is_unmoved(before.walls[k], {position, orientation})) {
+    const auto& [position, orientation] = poses.at(bodies.size() + k);
+    if (last.t != t && !is_unmoved(before.walls[k], {position, orientation})) {
       fail(run, "walls[" + std::to_string(k) +
                     "] has moved, and its place is known only at the last state, t = " +
                     number_text(last.t));

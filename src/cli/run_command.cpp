@@ -273,7 +273,10 @@ int run_scene(const RunOptions& options) {
     const fs::path folder = out / "verify";
     make_folder(folder);
     write_atomically(folder / "scene.toml", tighter, SafeFrom::kill);
-    RunOptions second{folder / "scene.toml", folder, {}, options.threads};
+    RunOptions second;
+    second.scene = folder / "scene.toml";
+    second.out = folder;
+    second.threads = options.threads;
     second.resume = options.resume;
     second.overwrite = second.quiet = true;
     run_scene(second);
