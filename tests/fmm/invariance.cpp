@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(turned_and_moved) {
 
 // A change of the length keeps the velocities of nodes, and adds a logarithm to those of forces.
 // The torques are multiplied by the length, which keeps their velocities.
-BOOST_AUTO_TEST_CASE(scaled) {
+BOOST_AUTO_TEST_CASE(scaled_by_a_power_of_two) {
   const Setting before;
   constexpr double length = 8.0;  // a power of two: the same boxes, the same rounding
   Setting after = before;
