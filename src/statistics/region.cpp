@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "near_singular/barycentric.hpp"
+#include "trapezoid/curve.hpp"
 
 namespace stokesbook {
 

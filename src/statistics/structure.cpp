@@ -9,6 +9,7 @@
 #include "record/atomic_file.hpp"
 #include "suspension/solver/rheology.hpp"
 #include "text/number_text.hpp"
+#include "trapezoid/curve.hpp"
 
 namespace stokesbook {
 

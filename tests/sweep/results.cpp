@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(a_single_run_has_errors_over_time) {
   }
   folder.write(TaskFolder::name(0) + "/run.json", "{\"exit_status\": 0}\n");
   folder.write(TaskFolder::name(0) + "/rheology.csv", rows);
-  const MeanEstimate found = collect(folder.path(), sweep)[0].estimates[0];
+  const MeanEstimate found = collect(folder.path(), sweep, all_tasks(sweep))[0].estimates[0];
   const MeanEstimate expected = mean_over_time(t, y, 0.0, 2.0);
   BOOST_TEST(found.standard_error > 0.0);
   BOOST_TEST(found.standard_error == expected.standard_error);
