@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(nodes_depend_on_the_configuration_alone) {
   const SuspensionSolver experienced(scene), fresh(scene);
   const Instant start = experienced.start();
   Instant closer = start;
-  closer.configuration[1].position = {0.0, 0.85};
+  closer.configuration[1].position = {0.0, 0.8};
   const Solution near = experienced.solve(closer);
   const Solution again = experienced.solve(start), first = fresh.solve(start);
   BOOST_TEST(nodes_of(near)[1] > nodes_of(first)[1]);

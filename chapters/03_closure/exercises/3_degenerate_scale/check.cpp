@@ -66,6 +66,7 @@ double velocity_along(const Ellipse& ellipse, Complex axis) {
   StokesProblem problem = held_ellipse(ellipse, 1.0);
   problem.components[0].kind = ComponentKind::free_body;
   problem.components[0].force = axis;
+  problem.components[0].velocity = {};  // no slip
   return 4.0 * pi * dot(solve(problem).motions[0].velocity, axis);
 }
 
