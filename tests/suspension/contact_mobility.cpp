@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(tightened_columns_resolve_trapped_fluid) {
   const auto softest = [](const TrappedFluid& trapped, bool tightened) {
     const SuspensionSolver solver(trapped.scene);
     ContactMobility respond(solver, solver.solve(solver.start()));
-    while (tightened && respond.tighten()) continue;
+    if (tightened) BOOST_TEST(respond.tighten());
     return scaled_eigenvalues(trapped.loads.transpose() * respond(trapped.loads))[0];
   };
   for (const double gap : {1e-3, 2e-3, 4e-3}) {

@@ -231,12 +231,10 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
     attempt();
   }
   const ContactResult& result = outcome.result;
-  // The columns are too inaccurate, or the nodes too few.
-  const auto has_no_forces = [&] {
-    return result.status == ContactStatus::no_linear_solution ||
-           result.status == ContactStatus::response_not_seen;
-  };
-  while (has_no_forces() && mobility.tighten()) attempt();
+  // The columns were too inaccurate, or the nodes are too few.
+  const bool has_no_forces = result.status == ContactStatus::no_linear_solution ||
+                             result.status == ContactStatus::response_not_seen;
+  if (has_no_forces && mobility.tighten()) attempt();
   outcome.forces = contact_forces(solver_.scene(), result, constraints, rules.curves);
   outcome.unresolved = unresolved_pairs(result, constraints);
   outcome.imbalance = imbalance(result.force, stage.acting, shapes_);

@@ -231,9 +231,9 @@ bool ContactMobility::refine(const VectorXd& multipliers) {
 
 bool ContactMobility::tighten() {
   refinement_iterations_ = 0;
-  const double least = std::max(1e-12, 0.01 * combination_tolerance_);
-  const double next = column_tolerance_ > combination_tolerance_ ? combination_tolerance_ : least;
-  return next < std::exchange(column_tolerance_, std::min(column_tolerance_, next));
+  const double tightened =
+      std::min(combination_tolerance_, std::max(1e-12, 0.01 * combination_tolerance_));
+  return std::exchange(column_tolerance_, tightened) > tightened;
 }
 
 std::pair<SparseVector<double>, ComplexVector> ContactMobility::combine(

@@ -75,8 +75,8 @@ class ContactMobility {
   /// @par Cost      a solve; a product if the multipliers have hardly changed
   bool refine(const Eigen::VectorXd& multipliers);
 
-  /// Solves all columns to the tolerance of combinations from now on; if they were so accurate
-  /// already, to a hundredth of it, but not below rounding. Returns false if nothing changes.
+  /// Solves all columns to a hundredth of the tolerance of combinations from now on, but not below
+  /// rounding. Returns false if they were so accurate already.
   bool tighten();
 
   /// Adds the combination of the latest columns with m multipliers to the solution: to its motions,
