@@ -16,7 +16,7 @@ namespace stokesbook {
 namespace {
 
 // The version number must rise with every change of the contents, including those of the history.
-const std::string magic = "stokesbook checkpoint 4\n";
+const std::string magic = "stokesbook checkpoint 3\n";
 
 std::string checksum_line(std::string_view body) {
   return "checksum " + fingerprint(body) + '\n';

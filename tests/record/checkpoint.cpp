@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(messages_name_file_and_reason) {
 
 BOOST_AUTO_TEST_CASE(unknown_contents_are_refused) {
   const Folder folder;
-  const std::string body = "stokesbook checkpoint 4\nscene 0\nprogram 0\nt x\n";
+  const std::string body = "stokesbook checkpoint 3\nscene 0\nprogram 0\nt x\n";
   write(folder.at("checkpoint"), body + "checksum " + fingerprint(body) + '\n');
   BOOST_CHECK_EXCEPTION(
       read_saved_run(folder.at("checkpoint")), RecordError, [](const RecordError& error) {

@@ -53,9 +53,9 @@ struct Chain {
   }
 
   MatrixXd exact(const Configuration& configuration, const Loads& loads) const {
-    ContactMobility mobility(solver, solver.solve(solver.instant(configuration)));
-    mobility.tighten();
-    return mobility(loads);
+    MobilityColumns none;
+    none.tolerance = 0.0;
+    return ContactMobility(solver, solver.solve(solver.instant(configuration)), none)(loads);
   }
 };
 
@@ -172,23 +172,46 @@ BOOST_AUTO_TEST_CASE(loads_that_are_nearly_parallel_are_told_apart) {
   }
 }
 
-// The loads across the three gaps around trapped fluid together hardly move anything. The errors of
-// loose columns exceed this motion many times. Tightened columns have the errors of the nodes only.
-BOOST_AUTO_TEST_CASE(tightened_columns_resolve_trapped_fluid) {
-  const auto softest = [](const TrappedFluid& trapped, bool tightened) {
-    const SuspensionSolver solver(trapped.scene);
-    ContactMobility respond(solver, solver.solve(solver.start()));
-    if (tightened) BOOST_TEST(respond.tighten());
-    return scaled_eigenvalues(trapped.loads.transpose() * respond(trapped.loads))[0];
+// The errors of columns from a configuration with wider gaps exceed the smallest eigenvalue, until
+// the columns are corrected or computed anew.
+BOOST_AUTO_TEST_CASE(responses_around_trapped_fluid_are_definite) {
+  const double gap = 2e-3;
+  const auto respond_at = [](const SuspensionSolver& solver, const MobilityColumns& earlier) {
+    return ContactMobility(solver, solver.solve(solver.start()), earlier);
   };
-  for (const double gap : {1e-3, 2e-3, 4e-3}) {
-    const double expected = softest({gap, 1e-6}, true);
-    const TrappedFluid trapped(gap, 1e-2);
-    const double error = std::abs(softest(trapped, false) - expected);
-    BOOST_TEST(expected > 0.0);
-    BOOST_TEST(error > 5.0 * expected);
-    BOOST_TEST(std::abs(softest(trapped, true) - expected) < 0.2 * error);
+  const auto softest = [](const TrappedFluid& trapped, const MatrixXd& velocities) {
+    return scaled_eigenvalues(trapped.loads.transpose() * velocities)[0];
+  };
+  MobilityColumns none;
+  none.tolerance = 0.0;
+  const TrappedFluid resolved(gap, 1e-6);
+  const SuspensionSolver exactly(resolved.scene);
+  const double expected = softest(resolved, respond_at(exactly, none)(resolved.loads));
+  BOOST_TEST(expected > 0.0);
+  BOOST_TEST(expected < 1e-2);
+
+  const TrappedFluid wider(2.0 * gap, 1e-2), now(gap, 1e-2);
+  const SuspensionSolver before(wider.scene), solver(now.scene);
+  ContactMobility earlier = respond_at(before, {});
+  earlier(wider.loads);
+  ContactMobility response = respond_at(solver, earlier.columns());
+  double most_corrected = 0.0;
+  for (const double weight : {1.0, 3e3}) {
+    const VectorXd weights = VectorXd::Constant(3, weight);
+    do {
+      BOOST_TEST(softest(now, response(now.loads)) > 0.0);
+      const double corrected = response.relative_correction(weights);
+      most_corrected = std::max(most_corrected, corrected);
+      // The correction of a large load is measured relative to the velocities that the load causes,
+      // so it does not depend on how large the load is.
+      if (weight > 1.0) {
+        BOOST_TEST(response.relative_correction(10.0 * weights) == corrected,
+                   boost::test_tools::tolerance(1e-3));
+      }
+    } while (response.refine(weights));
+    BOOST_TEST(response.relative_correction(weights) <= 0.1 * now.scene.solver.tolerance);
   }
+  BOOST_TEST(most_corrected > now.scene.solver.tolerance);
 }
 
 }  // namespace stokesbook::test

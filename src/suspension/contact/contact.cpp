@@ -33,6 +33,14 @@ constexpr double relative_sag = 4e-3, relative_tolerance = 1e-5;
 // separation by this part.
 constexpr double relative_slack_of_starts = 1e-3;
 
+// Improves a mobility for which a linear complementarity problem had no solution, or for which a
+// force does not open its own gap. Returns false if no improvement is left.
+bool improve(ContactMobility& mobility, ContactStatus status) {
+  const bool unsolved = status == ContactStatus::no_linear_solution;
+  if (!unsolved && status != ContactStatus::response_not_seen) return false;
+  return mobility.tighten() || (unsolved && mobility.accept_any_correction());
+}
+
 ContactParty contact_party(const Scene& scene, std::size_t component) {
   const ComponentView view = component_of(scene, component);
   return {view.wall != nullptr, view.number};
@@ -54,10 +62,12 @@ std::vector<ContactForce> contact_forces(const Scene& scene, const ContactResult
 }
 
 // Lists the pairs whose gap does not open under its own force; all pairs if the linear problem has
-// no solution.
-std::vector<ComponentPair> unresolved_pairs(const ContactResult& result,
-                                            const GapConstraints& constraints) {
-  const bool is_solved = result.status != ContactStatus::no_linear_solution;
+// no solution, or if the mobility was corrected by more than the tolerance.
+std::vector<ComponentPair> unresolved_pairs(const ContactOutcome& outcome,
+                                            const GapConstraints& constraints, double tolerance) {
+  const ContactResult& result = outcome.result;
+  const bool is_solved =
+      result.status != ContactStatus::no_linear_solution && outcome.correction <= tolerance;
   std::vector<ComponentPair> pairs;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     if (is_solved && result.response[static_cast<Index>(i)] > 0.0) continue;
@@ -230,13 +240,11 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
       outcome.result.violations.back() < separation_) {
     attempt();
   }
+  while (improve(mobility, outcome.result.status)) attempt();
   const ContactResult& result = outcome.result;
-  // The columns were too inaccurate, or the nodes are too few.
-  const bool has_no_forces = result.status == ContactStatus::no_linear_solution ||
-                             result.status == ContactStatus::response_not_seen;
-  if (has_no_forces && mobility.tighten()) attempt();
+  if (outcome.is_resolved()) outcome.correction = mobility.relative_correction(result.multipliers);
   outcome.forces = contact_forces(solver_.scene(), result, constraints, rules.curves);
-  outcome.unresolved = unresolved_pairs(result, constraints);
+  outcome.unresolved = unresolved_pairs(outcome, constraints, solver_.scene().solver.tolerance);
   outcome.imbalance = imbalance(result.force, stage.acting, shapes_);
   outcome.kkt_residual = result.kkt_residual / separation_;
   return outcome;

@@ -34,8 +34,10 @@ struct ContactOutcome {
   Imbalance imbalance{0.0, 0.0};     ///< imbalance of the forces of all pairs
   double kkt_residual = 0.0;         ///< KKT residual of the result, over the separation
   int iterations = 0;                ///< linear problems, including those with inaccurate columns
+  double correction = 0.0;           ///< ContactMobility::relative_correction() of resolved forces
   /// Pairs whose nodes do not resolve the contact forces: their own force does not open the gap, or
-  /// the linear problem has no solution.
+  /// the linear problem has no solution, or the mobility was corrected by more than the solver's
+  /// tolerance.
   std::vector<ComponentPair> unresolved{};
 
   /// Returns whether the velocity of the result keeps all gaps open.

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/QR>
 
 #include "double_layer/double_layer.hpp"
 
@@ -24,17 +28,23 @@ namespace {
 // is below the solver's tolerance.
 constexpr double same_load = 1e-9;
 
-// Largest relative residual to which columns are solved, and the one that a reused column is assumed
-// to have if its load has turned by a tenth at most.
-constexpr double most_solved_tolerance = 1e-2, reused_tolerance = 0.1;
+// Largest relative residual to which columns are solved.
+constexpr double most_solved_tolerance = 1e-2;
 
 // Loads with a larger cosine of the angle between them are similar: the column of the one is that
-// of the other up to `reused_tolerance`.
+// of the other up to MobilityColumns::most_tolerance.
 constexpr double similar_from = 0.995;
 
-// If refinements have taken more iterations for each column, and another one is required, the columns
-// are too inaccurate, as where weights oscillate between flat gaps.
-constexpr int most_iterations_of_a_column = 10;
+// Iterations that a tenth of the tolerance takes for a column, approximately. When refinements have
+// taken as many a column, or when residuals grow because weights oscillate, as between flat gaps,
+// the columns are too inaccurate.
+constexpr int iterations_of_closer_column = 5;
+
+// Largest motion that definite_correction() may add, over the solver's tolerance.
+constexpr double most_correction = 0.1, infinite = std::numeric_limits<double>::infinity();
+
+// Factors of the columns' tolerance: by tighten(), and for the next configuration.
+constexpr double tightening = 0.1, loosening = 10.0;
 
 // Returns for each load the smallest sine of the angle to another load, up to a factor of 2; 1 if
 // all angles are large.
@@ -81,6 +91,17 @@ double cosine(const SparseVector<double>& p, const SparseVector<double>& q) {
   return std::abs(p.dot(q)) / (p.norm() * q.norm());
 }
 
+// Returns the largest velocity of a free body, or angular velocity times radius of gyration.
+double largest_motion(const VectorXd& velocities, const VectorXd& scales) {
+  double largest = 0.0;
+  for (Index i = 0; i < velocities.size(); i += 3) {
+    if (scales[i] == 0.0) continue;
+    const double omega = velocities[i + 2] / scales[i + 2];
+    largest = std::max({largest, std::hypot(velocities[i], velocities[i + 1]), std::abs(omega)});
+  }
+  return largest;
+}
+
 // Returns the factors that scale loads: 1 for forces, 1 over the radius of gyration for torques; 0
 // for loads that supports bear.
 VectorXd load_scales(const Discretisation& discretisation) {
@@ -95,20 +116,46 @@ VectorXd load_scales(const Discretisation& discretisation) {
 
 }  // namespace
 
+MatrixXd definite_correction(const MatrixXd& loads, const MatrixXd& works) {
+  const MatrixXd none = MatrixXd::Zero(loads.rows(), loads.cols());
+  const auto m = loads.cols();
+  if (m == 0 || !(works.diagonal().minCoeff() > 0.0)) return none;
+  const VectorXd scale = works.diagonal().cwiseSqrt();
+  const VectorXd unit = scale.cwiseInverse();
+  const MatrixXd scaled = unit.asDiagonal() * works * unit.asDiagonal();
+  const MatrixXd symmetric = 0.5 * (scaled + scaled.transpose());
+  if (symmetric.llt().info() == Eigen::Success) return none;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(symmetric);
+  const VectorXd& eigenvalues = modes.eigenvalues();
+  const VectorXd increase = (-eigenvalues.minCoeff() - eigenvalues.array()).cwiseMax(0.0);
+  const MatrixXd vectors = scale.asDiagonal() * modes.eigenvectors();
+  const MatrixXd change = vectors * increase.asDiagonal() * vectors.transpose();
+  // The least V' with F^T V' = change.
+  const MatrixXd gram = loads.transpose() * loads;
+  return loads * gram.completeOrthogonalDecomposition().solve(change);
+}
+
 ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution& solution,
-                                 const MobilityColumns& earlier, std::optional<double> exact)
+                                 MobilityColumns earlier, std::optional<double> exact)
     : solver_(solver),
       solution_(solution),
+      earlier_(std::move(earlier)),
       combination_tolerance_(exact.value_or(solver.plan().gmres_tolerance)),
-      column_tolerance_(std::max(reused_tolerance, combination_tolerance_)),
-      load_scales_(load_scales(solution.discretisation)) {
+      column_tolerance_(std::max(earlier_.tolerance, combination_tolerance_)),
+      flow_norm_(solution.system->system.right_hand_side().norm()),
+      load_scales_(load_scales(solution.discretisation)),
+      most_correction_(most_correction * solver.scene().solver.tolerance) {
+  if (solution.system->is_factorised) return;  // back substitutions need no guesses
   const Configuration& configuration = solution.instant.configuration;
   const Eigen::MatrixXcd guesses =
-      earlier.densities.guess(0.0, configuration, solution.discretisation);
-  for (Index i = 0; i < earlier.loads.cols(); ++i) {
-    const VectorXd at_bodies = earlier.loads.col(i);
+      earlier_.densities.guess(0.0, configuration, solution.discretisation);
+  for (Index i = 0; i < earlier_.loads.cols(); ++i) {
+    const VectorXd at_bodies = earlier_.loads.col(i);
     const SparseVector<double> load = rotate_forces(at_bodies, configuration, 1.0).sparseView();
-    earlier_columns_.push_back({load, load_scales_.asDiagonal() * load, guesses.col(i)});
+    earlier_columns_.push_back({.load = load,
+                                .scaled_load = load_scales_.asDiagonal() * load,
+                                .density = guesses.col(i),
+                                .rhs_norm = earlier_.rhs_norms[i]});
   }
 }
 
@@ -128,8 +175,8 @@ void ContactMobility::reuse_similar(Column& column) const {
       column.scaled_load.dot(nearest->scaled_load) / nearest->scaled_load.squaredNorm();
   column.density = part * nearest->density;
   if (most > similar_from) {
-    column.tolerance = reused_tolerance;
-    complete(column);
+    column.tolerance = MobilityColumns::most_tolerance;
+    complete(column, std::abs(part) * nearest->rhs_norm);
   }
 }
 
@@ -138,11 +185,12 @@ void ContactMobility::solve_by_factors(Column& column) const {
   const ComplexVector rhs = closure_under(discrete.problem, column.load).right_hand_side();
   column.density = deinterleaved(discrete.precondition(interleaved(rhs)));
   column.tolerance = combination_tolerance_;
-  complete(column);
+  complete(column, rhs.norm());
 }
 
 // The motions of free bodies are functionals of the density; they do not depend on the load.
-void ContactMobility::complete(Column& column) const {
+void ContactMobility::complete(Column& column, double rhs_norm) const {
+  column.rhs_norm = rhs_norm;
   column.motions = solution_.system->system.closure().complete(column.density).motions;
 }
 
@@ -155,7 +203,7 @@ GmresResult ContactMobility::run_gmres(const ComplexVector& rhs, double toleranc
                       std::to_string(result.iterations) +
                       " iterations: raise solver.gmres_max_iterations or solver.tolerance");
   }
-  if (result.iterations > 0) ++solves_;
+  ++solves_;
   cost_.gmres_iterations += result.iterations;
   cost_.matvecs += result.applications;
   return result;
@@ -179,16 +227,16 @@ std::size_t ContactMobility::find_or_add(Column column) {
 // Nearly parallel loads, of two contact points in one flat gap, require a tolerance that is tighter
 // in proportion to the angle between them.
 void ContactMobility::solve_to_tolerance(Column& column, double angle) {
-  const double least = std::min(combination_tolerance_, column_tolerance_);
-  if (column.tolerance <= std::max(least, angle * column_tolerance_)) return;
-  column.tolerance = std::max(least, angle * std::min(column_tolerance_, most_solved_tolerance));
+  if (column.tolerance <= std::max(combination_tolerance_, angle * column_tolerance_)) return;
+  column.tolerance =
+      std::max(combination_tolerance_, angle * std::min(column_tolerance_, most_solved_tolerance));
   const ComplexVector rhs = closure_under(solution_.system->problem, column.load).right_hand_side();
   column.density = deinterleaved(run_gmres(rhs, column.tolerance, column.density).solution);
-  complete(column);
+  complete(column, rhs.norm());
 }
 
 MatrixXd ContactMobility::operator()(const SparseMatrix<double>& loads) {
-  MatrixXd velocities = MatrixXd::Zero(loads.rows(), loads.cols());
+  velocities_ = MatrixXd::Zero(loads.rows(), loads.cols());
   const SparseMatrix<double> scaled_loads = load_scales_.asDiagonal() * loads;
   const VectorXd angles = smallest_angles(scaled_loads);
   latest_columns_.clear();
@@ -198,42 +246,93 @@ MatrixXd ContactMobility::operator()(const SparseMatrix<double>& loads) {
     solve_to_tolerance(column, angles[j]);
     for (std::size_t k = 0; k < column.motions.size(); ++k) {
       const auto& [velocity, omega] = column.motions[k];
-      velocities.block<3, 1>(static_cast<Index>(3 * k), j) << velocity.real(), velocity.imag(),
+      velocities_.block<3, 1>(static_cast<Index>(3 * k), j) << velocity.real(), velocity.imag(),
           omega;
     }
   }
-  return velocities;
+  correction_ = MatrixXd::Zero(loads.rows(), loads.cols());
+  if (corrects_) {
+    const MatrixXd works = loads.transpose() * velocities_;
+    correction_ = load_scales_.asDiagonal() * definite_correction(scaled_loads, works);
+  }
+  return velocities_ + correction_;
+}
+
+double ContactMobility::relative_correction(const VectorXd& multipliers) const {
+  if (multipliers.isZero(0.0)) return 0.0;
+  const double scale =
+      std::max(solution_.velocity_scale, largest_motion(velocities_ * multipliers, load_scales_));
+  return largest_motion(correction_ * multipliers, load_scales_) / scale;
+}
+
+// Adds up the multipliers of the loads that share a column.
+VectorXd ContactMobility::column_weights(const VectorXd& multipliers) const {
+  VectorXd weights = VectorXd::Zero(static_cast<Index>(columns_.size()));
+  for (std::size_t i = 0; i < latest_columns_.size(); ++i) {
+    weights[static_cast<Index>(latest_columns_[i])] += multipliers[static_cast<Index>(i)];
+  }
+  return weights;
+}
+
+// Bounds the residual of a combination: changes of the weights since the latest refinement bring in
+// the residuals of their columns.
+double ContactMobility::residual_bound(const VectorXd& weights) const {
+  double residual = 0.0;
+  for (Index i = 0; i < weights.size(); ++i) {
+    const Column& column = columns_[static_cast<std::size_t>(i)];
+    const double before = i < combination_weights_.size() ? combination_weights_[i] : 0.0;
+    residual += std::abs(weights[i] - before) * column.tolerance * column.rhs_norm;
+  }
+  return residual;
 }
 
 bool ContactMobility::refine(const VectorXd& multipliers) {
   if (multipliers.size() == 0 || multipliers.isZero(0.0)) return false;
-  const auto [load, density] = combine(multipliers);
-  const LinearSystem& discrete = *solution_.system;
-  const ComplexVector rhs = closure_under(discrete.problem, load).right_hand_side();
-  const double strength = std::max(discrete.system.right_hand_side().norm(), rhs.norm());
-  const GmresResult found = run_gmres(rhs, combination_tolerance_ * strength / rhs.norm(), density);
-  if (found.iterations == 0) return false;
-  // The weight of a column is the sum of the multipliers of the loads that share it.
-  VectorXd weights = VectorXd::Zero(std::ssize(columns_));
-  for (std::size_t i = 0; i < latest_columns_.size(); ++i) {
-    weights[static_cast<Index>(latest_columns_[i])] += multipliers[static_cast<Index>(i)];
-  }
+  if (refine_combination(multipliers)) return true;
+  if (relative_correction(multipliers) <= most_correction_) return false;
+  return tighten() || std::exchange(corrects_, false);
+}
+
+bool ContactMobility::refine_combination(const VectorXd& multipliers) {
+  const VectorXd weights = column_weights(multipliers);
+  const double missing = residual_bound(weights);
+  if (combination_weights_.size() > 0 && missing <= allowed_residual_) return false;
   const auto columns = static_cast<int>((weights.array() != 0.0).count());
-  if (refinement_iterations_ > most_iterations_of_a_column * columns && !tighten()) return false;
+  if (refinement_iterations_ > iterations_of_closer_column * columns) return tighten();
+  const auto [load, density] = combine(multipliers);
+  const ComplexVector rhs = closure_under(solution_.system->problem, load).right_hand_side();
+  const double strength = std::max(flow_norm_, rhs.norm());
+  const GmresResult found = run_gmres(rhs, combination_tolerance_ * strength / rhs.norm(), density);
+  combination_weights_ = weights;
+  allowed_residual_ = 0.5 * combination_tolerance_ * strength;
+  if (found.iterations == 0) return false;
+  const double residual = found.history.front() * rhs.norm(), more_than_known = residual / missing;
+  const bool diverges =
+      residual > std::exchange(combination_residual_, residual) && refinement_iterations_ > 0;
   refinement_iterations_ += found.iterations;
+  if (diverges) tighten();
   const ComplexVector change = (deinterleaved(found.solution) - density) / weights.squaredNorm();
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    columns_[i].density += weights[static_cast<Index>(i)] * change;
-    complete(columns_[i]);
+    const double weight = weights[static_cast<Index>(i)];
+    if (weight == 0.0) continue;
+    Column& column = columns_[i];
+    column.tolerance *= std::max(1.0, more_than_known);
+    column.density += weight * change;
+    complete(column, column.rhs_norm);
   }
   return true;
 }
 
+bool ContactMobility::accept_any_correction() {
+  corrects_ = true;
+  return std::exchange(most_correction_, infinite) < infinite;
+}
+
 bool ContactMobility::tighten() {
+  if (column_tolerance_ <= combination_tolerance_) return false;
+  column_tolerance_ = std::max(combination_tolerance_, tightening * column_tolerance_);
   refinement_iterations_ = 0;
-  const double tightened =
-      std::min(combination_tolerance_, std::max(1e-12, 0.01 * combination_tolerance_));
-  return std::exchange(column_tolerance_, tightened) > tightened;
+  return true;
 }
 
 std::pair<SparseVector<double>, ComplexVector> ContactMobility::combine(
@@ -266,18 +365,19 @@ Solution ContactMobility::loaded_solution(const VectorXd& multipliers) const {
 }
 
 MobilityColumns ContactMobility::columns() const {
-  const std::vector<Column>& kept = columns_.empty() ? earlier_columns_ : columns_;
-  if (kept.empty()) return {};
+  if (columns_.empty()) return earlier_;
   const Configuration& configuration = solution_.instant.configuration;
-  const Index m = std::ssize(kept);
-  Eigen::MatrixXcd densities(kept.front().density.size(), m);
-  MobilityColumns result{MatrixXd(kept.front().load.size(), m)};
+  const Index m = std::ssize(columns_);
+  Eigen::MatrixXcd densities(columns_.front().density.size(), m);
+  MobilityColumns result{MatrixXd(columns_.front().load.size(), m), VectorXd(m)};
   for (Index i = 0; i < m; ++i) {
-    const Column& column = kept[static_cast<std::size_t>(i)];
+    const Column& column = columns_[static_cast<std::size_t>(i)];
     result.loads.col(i) = rotate_forces(column.load, configuration, -1.0);
+    result.rhs_norms[i] = column.rhs_norm;
     densities.col(i) = column.density;
   }
   result.densities.add(0.0, configuration, solution_.discretisation, std::move(densities));
+  result.tolerance = std::min(MobilityColumns::most_tolerance, loosening * column_tolerance_);
   return result;
 }
 

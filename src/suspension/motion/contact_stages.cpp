@@ -33,7 +33,8 @@ StageSolution ContactStages::resolve(const ContactStage& problem, StageSolution 
     const LoadedCheck check = check_effort(stage);
     contact.cost.matvecs += check.estimate.matvecs;
     statistics_.totals.matvecs += check.estimate.matvecs;
-    contact.solution.error_estimate = std::max(flow.solution.error_estimate, check.estimate.error);
+    contact.solution.error_estimate =
+        std::max({flow.solution.error_estimate, check.estimate.error, contact.outcome.correction});
     const bool nodes_suffice = check.needed == resolutions_of(flow.solution.discretisation);
     const bool suffices = nodes_suffice && check.gmres_tolerance == memory.gmres_tolerance;
     if (suffices || flow.refinements == most_refinements) return stage;

@@ -100,13 +100,14 @@ void add_solves(History& history, const SolveMemory& solves) {
   }
   add_vectors(history, "contact_density", solves.columns.densities.packed());
   history["contact_loads"] = solves.columns.loads.reshaped();
+  history["contact_flows"] = solves.columns.rhs_norms;
   add_vectors(history, "contact_velocity",
               {solves.contact_velocities.begin(), solves.contact_velocities.end()});
   VectorXd nodes(static_cast<Eigen::Index>(solves.contact_resolutions.size()));
   std::ranges::transform(solves.contact_resolutions, nodes.begin(), &Resolution::n_nodes);
   history["nodes_in_contact"] = nodes;
   history["steps_in_contact"] = one(solves.steps_kept);
-  history["contact_tolerance"] = one(solves.gmres_tolerance);
+  history["contact_tolerances"] = VectorXd{{solves.gmres_tolerance, solves.columns.tolerance}};
   history["estimate"] =
       VectorXd{{solves.error_estimate, static_cast<double>(solves.solves_since_estimate)}};
 }
@@ -121,12 +122,15 @@ SolveMemory find_solves(const History& history, SolveMemory solves, std::size_t 
   solves.columns.densities.unpack(find_vectors(history, "contact_density"), components);
   solves.columns.loads = history.at("contact_loads")
                              .reshaped(static_cast<Eigen::Index>(3 * components), Eigen::AutoSize);
+  solves.columns.rhs_norms = history.at("contact_flows");
   std::ranges::copy(find_vectors(history, "contact_velocity"), solves.contact_velocities.begin());
   for (const double nodes : history.at("nodes_in_contact")) {
     solves.contact_resolutions.push_back({static_cast<int>(nodes), {}});
   }
   solves.steps_kept = static_cast<int>(history.at("steps_in_contact")[0]);
-  solves.gmres_tolerance = history.at("contact_tolerance")[0];
+  const VectorXd& tolerances = history.at("contact_tolerances");
+  solves.gmres_tolerance = tolerances[0];
+  solves.columns.tolerance = tolerances[1];
   solves.error_estimate = history.at("estimate")[0];
   solves.solves_since_estimate = static_cast<int>(history.at("estimate")[1]);
   return solves;
