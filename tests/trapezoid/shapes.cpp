@@ -48,9 +48,9 @@ ComplexVector second_difference(const ComplexVector& f, double h) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(scaled_shapes_have_scaled_points) {
-  std::vector<Shape> shapes = analytic_shapes;
-  shapes.emplace_back(NodalCurve{sample(Ellipse{2.0, 1.0}, 16, Side::fluid_outside).x, {}});
-  for (const Shape& original : shapes) {
+  std::vector<Shape> originals = analytic_shapes;
+  originals.emplace_back(NodalCurve{sample(Ellipse{2.0, 1.0}, 16, Side::fluid_outside).x, {}});
+  for (const Shape& original : originals) {
     const ComplexVector x = sample(original, 32, Side::fluid_outside).x;
     BOOST_TEST(largest(sample(scaled(original, 1.7), 32, Side::fluid_outside).x - 1.7 * x) < 1e-14);
   }
