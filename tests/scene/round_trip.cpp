@@ -142,7 +142,7 @@ void add_flow(Scene& scene, Dice& dice) {
 
 /// Adds sections of loads, and the properties of bodies that they require.
 void add_loads(SceneFile& file, Dice& dice) {
-  auto& [scene, fills] = file;
+  Scene& scene = file.scene;
   if (dice.coin()) scene.gravity = Gravity{dice.vector(), dice.positive(), random_amplitude(dice)};
   if (dice.coin()) {
     scene.magnetic_field = MagneticField{dice.vector(), dice.number(), random_amplitude(dice)};
@@ -155,7 +155,7 @@ void add_loads(SceneFile& file, Dice& dice) {
   for (Body& body : scene.bodies) {
     if (!body.held) add(body.loads);
   }
-  for (Fill& fill : fills) add(fill.loads);
+  for (Fill& fill : file.fills) add(fill.loads);
 }
 
 TimeSettings fixed_steps(Dice& dice) {

@@ -68,12 +68,11 @@ double distance_to_ellipse(double a, double b, Complex z) {
 // Returns the least distance of two ellipses: the least one of 200 points of the first, then of
 // points about it that are ever closer to each other.
 double ellipse_gap(const Body& of, const Body& about) {
-  const auto [a, b] = std::get<Ellipse>(about.shape);
-  const auto [own_a, own_b] = std::get<Ellipse>(of.shape);
+  const Ellipse other = std::get<Ellipse>(about.shape), first = std::get<Ellipse>(of.shape);
   const auto distance = [&](double t) {
-    const Complex own{own_a * std::cos(t), own_b * std::sin(t)};
+    const Complex own{first.a * std::cos(t), first.b * std::sin(t)};
     const Complex place = of.position + std::polar(1.0, of.orientation) * own;
-    return distance_to_ellipse(a, b,
+    return distance_to_ellipse(other.a, other.b,
                                std::polar(1.0, -about.orientation) * (place - about.position));
   };
   double nearest = 0.0, from = 0.0, width = pi;

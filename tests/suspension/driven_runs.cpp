@@ -26,12 +26,12 @@ struct Piece {
 // Returns x(t) for x' = gain A(t) - rate x with a piecewise linear A.
 double relaxed(double x, double rate, double gain, const std::vector<Piece>& pieces, double t) {
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const auto [begin, value, slope] = pieces[k];
+    const Piece& piece = pieces[k];
     const double end = k + 1 < pieces.size() ? pieces[k + 1].begin : t;
     const auto particular = [&](double s) {
-      return gain / rate * (value + slope * (s - begin) - slope / rate);
+      return gain / rate * (piece.value + piece.slope * (s - piece.begin) - piece.slope / rate);
     };
-    x = particular(end) + (x - particular(begin)) * std::exp(-rate * (end - begin));
+    x = particular(end) + (x - particular(piece.begin)) * std::exp(-rate * (end - piece.begin));
   }
   return x;
 }

@@ -100,8 +100,10 @@ double coverage(auto series, std::size_t n, int samples) {
 // mean in 74, 35 and 16 of 100 samples for the correlations 0.5, 0.9 and 0.98.
 BOOST_AUTO_TEST_CASE(intervals_over_time_know_of_correlation) {
   constexpr int samples = 400;
-  for (const auto& [phi, n] : {std::pair(0.0, 100U), std::pair(0.5, 300U), std::pair(0.9, 100U),
-                               std::pair(0.9, 1000U), std::pair(0.98, 1000U)}) {
+  for (const auto& process : {std::pair(0.0, 100U), std::pair(0.5, 300U), std::pair(0.9, 100U),
+                              std::pair(0.9, 1000U), std::pair(0.98, 1000U)}) {
+    const double phi = process.first;
+    const unsigned n = process.second;
     const double held = coverage(
         [&](std::mt19937_64& random) { return autoregressive(phi, n, random); }, n, samples);
     BOOST_TEST(held > 0.88, phi << " " << n << " " << held);

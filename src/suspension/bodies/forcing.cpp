@@ -100,7 +100,7 @@ Forcing reversible_forcing(const Scene& scene, const Discretisation& discretisat
     const Body& body = scene.bodies[k];
     const double factor = value(body.loads.amplitude, time);
     forcing.motions.push_back(factor);
-    Load& load = forcing.loads.emplace_back(factor * body.force, factor * body.torque);
+    Load& load = forcing.loads.emplace_back(Load{factor * body.force, factor * body.torque});
     if (!scene.gravity || !body.loads.density) continue;
     // Weight minus buoyancy, (rho_k - rho) A g, acts at the centroid of the area A.
     const Curve& curve = discretisation[k]->curve;
