@@ -184,43 +184,21 @@ BOOST_AUTO_TEST_CASE(few_nodes_of_a_shape_without_gaps_are_rounded_up) {
 
 BOOST_AUTO_TEST_CASE(a_narrow_cluster_serves_wide_gaps_beside_it) {
   const GapRequirement narrow{1.0, 1e-4}, beside{1.05, 0.1}, apart{1.2, 0.1}, far{4.0, 1e-3};
-  // Places are rounded to a quarter of the width, which is at most 1.2 times the depth.
-  const auto has_clusters_at = [](const std::vector<GapRequirement>& gaps,
-                                  const std::vector<GapRequirement>& expected) {
-    return std::ranges::equal(nodes_for_gaps(gaps, 32, 1e-8).grading.clusters, expected,
-                              [](const Cluster& cluster, const GapRequirement& gap) {
-                                const double ratio = cluster.width / gap.depth;
-                                return std::abs(cluster.parameter - gap.parameter) <=
-                                           0.15 * gap.depth &&
-                                       ratio < 1.2 && ratio > 1.0 / 1.2;
-                              });
+  const auto places = [](const std::vector<GapRequirement>& gaps) {
+    std::vector<double> parameters;
+    for (const Cluster& cluster : nodes_for_gaps(gaps, 32, 1e-8).grading.clusters) {
+      parameters.push_back(cluster.parameter);
+    }
+    return parameters;
   };
-  BOOST_TEST(has_clusters_at({beside, narrow}, {narrow}));
-  BOOST_TEST(has_clusters_at({apart, narrow}, {narrow, apart}));
-  BOOST_TEST(has_clusters_at({far, beside, narrow}, {narrow, far}));
+  BOOST_TEST(places({beside, narrow}) == std::vector<double>{1.0});
+  BOOST_TEST((places({apart, narrow}) == std::vector<double>{1.0, 1.2}));
+  BOOST_TEST((places({far, beside, narrow}) == std::vector<double>{1.0, 4.0}));
   // A cluster at the wide gap would not suffice for the narrow gap beside it, so the narrow gap
   // keeps its own cluster.
-  BOOST_TEST(has_clusters_at({{1.0, 1e-2}, {1.0 + 5e-3, 1e-5}}, {{1.0 + 5e-3, 1e-5}}));
+  BOOST_TEST(places({{1.0, 1e-2}, {1.0 + 5e-3, 1e-5}}) == std::vector<double>{1.0 + 5e-3});
   // Two parameters that differ by 2 pi belong to the same point of the curve.
-  BOOST_TEST(has_clusters_at({narrow, {1.0 + 2.0 * std::numbers::pi, 0.1}}, {narrow}));
-}
-
-BOOST_AUTO_TEST_CASE(wide_gaps_that_have_hardly_moved_get_the_same_nodes) {
-  const auto grading = [](double parameter, double depth) {
-    return nodes_for_gaps({{parameter, depth}}, 32, 1e-6).grading;
-  };
-  BOOST_REQUIRE(!grading(0.5, 0.1).clusters.empty());
-  BOOST_TEST((grading(0.501, 0.101) == grading(0.5, 0.1)));
-  BOOST_TEST((grading(0.53, 0.1) != grading(0.5, 0.1)));
-  BOOST_TEST((grading(0.5, 0.2) != grading(0.5, 0.1)));
-}
-
-BOOST_AUTO_TEST_CASE(nodes_at_narrow_gaps_crowd_exactly_there) {
-  for (const double depth : {1e-5, 1e-3, 0.03}) {
-    const Grading grading = nodes_for_gaps({{0.4321, depth}}, 32, 1e-6).grading;
-    BOOST_REQUIRE_EQUAL(grading.clusters.size(), 1U);
-    BOOST_TEST((grading.clusters.front() == Cluster{0.4321, depth}));
-  }
+  BOOST_TEST(places({narrow, {1.0 + 2.0 * std::numbers::pi, 0.1}}) == std::vector<double>{1.0});
 }
 
 BOOST_AUTO_TEST_CASE(the_order_of_gaps_does_not_matter) {

@@ -77,6 +77,9 @@ SmoothCurve smooth_curve(const DiscretisedShape& discretised, const Pose& pose) 
 std::shared_ptr<const DiscretisedShape> DiscretisationCache::get(const Shape& shape,
                                                                  const Resolution& resolution,
                                                                  ComponentKind kind) {
+  if (resolution.is_graded()) {
+    return std::make_shared<DiscretisedShape>(build(shape, resolution, kind, needs_));
+  }
   const std::lock_guard lock(mutex_);
   const auto known = std::ranges::find_if(kept_, [&](const auto& kept) {
     return kept->kind == kind && kept->resolution == resolution && kept->shape == shape;

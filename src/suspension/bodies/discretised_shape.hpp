@@ -91,9 +91,9 @@ SmoothCurve smooth_curve(const DiscretisedShape& discretised, const Pose& pose);
 
 /// Shares the discretised shapes of a scene's components, each built once.
 ///
-/// Nodes may change from solve to solve. The cache keeps the shapes that were used last. A shape
-/// that was dropped is built again, and is then equal to the last bit. Several threads may use the
-/// cache at once.
+/// Node numbers may change from solve to solve. The cache keeps the shapes that were used last. A
+/// shape that was dropped is built again, and is then equal to the last bit. Shapes with graded
+/// nodes belong to one configuration and are not kept. Several threads may use the cache at once.
 class DiscretisationCache {
  public:
   /// Creates a cache for `most` shapes with the data `needs`.

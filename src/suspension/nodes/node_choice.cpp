@@ -53,18 +53,6 @@ void require_positive(double value, const std::string& what) {
   }
 }
 
-// Returns the cluster of a gap. For a wide gap, the width is rounded to a power of the root of two,
-// and the place to a quarter of the width, so that the nodes stay the same while bodies move a
-// little. The cluster of a narrow gap is exact: bodies approach each other so slowly there that the
-// error of nodes that are not centred at the gap would exceed the speed.
-Cluster cluster_at(const GapRequirement& gap) {
-  constexpr double narrow = 0.05;  // depth of the gap between equal disks at 1/400 of their radius
-  if (gap.depth < narrow) return {gap.parameter, gap.depth};
-  const double width = std::exp2(0.5 * std::round(2.0 * std::log2(gap.depth)));
-  const double spacing = 0.25 * width;
-  return {spacing * std::round(gap.parameter / spacing), width};
-}
-
 // Returns clusters at the gaps that the nodes of the shape do not resolve. The narrowest gaps come
 // first, because the nodes around their clusters are dense enough for wider gaps nearby: those
 // whose distance from the cluster is less than their depth.
@@ -77,7 +65,7 @@ std::vector<Cluster> clusters_for(std::vector<GapRequirement> gaps, double resol
     const bool is_served = std::ranges::any_of(clusters, [&](const Cluster& cluster) {
       return std::abs(std::remainder(cluster.parameter - gap.parameter, period)) < gap.depth;
     });
-    if (!is_served) clusters.push_back(cluster_at(gap));
+    if (!is_served) clusters.push_back({gap.parameter, gap.depth});
   }
   return clusters;
 }

@@ -88,8 +88,7 @@ struct GapRequirement {
 ///
 /// Nodes are equidistant if no gap requires more than one and a half times the nodes that the shape
 /// requires. Otherwise nodes crowd at every gap that the nodes of the shape do not resolve, over a
-/// width equal to the depth of the gap, unless a cluster nearby suffices. Widths and places of
-/// clusters at wide gaps are rounded, so that the nodes are the same in many steps.
+/// width equal to the depth of the gap, unless a cluster nearby suffices.
 ///
 /// The number of graded nodes is \f$ \ln(10^5/\varepsilon)/r \f$, where r is the least
 /// graded_depth() of all gaps, and of a shape that requires `shape_nodes` nodes because of

@@ -56,8 +56,9 @@ SuspensionSolver::SuspensionSolver(const Scene& scene) : scene_(scene), plan_(ma
     needs.interpolation_tolerance = scene.solver.tolerance;
   }
   if (!plan_.null_space_fix) needs.gauge_length = scene.gauge_length;
-  // A solve uses at most one shape per component, and its error estimate another.
-  cache_ = std::make_shared<DiscretisationCache>(needs, 2 * count);
+  // A solve uses at most one shape per component, and its error estimate another: the shapes of two
+  // solves are kept.
+  cache_ = std::make_shared<DiscretisationCache>(needs, 4 * count);
   Resolutions own;
   for (std::size_t k = 0; k < count; ++k) {
     const ComponentView component = component_of(scene_, k);
