@@ -111,7 +111,7 @@ ContactSteps::ContactSteps(const SuspensionSolver& solver, const OutputSchedule&
       instants_(instants),
       statistics_(statistics),
       time_(solver.scene().time.value_or(TimeSettings{})),
-      settings_(stepping_settings(solver)),
+      settings_(stepping_settings(solver, statistics.errors.size())),
       contact_(solver),
       stages_(solver, contact_, instants, statistics) {}
 

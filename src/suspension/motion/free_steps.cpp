@@ -84,7 +84,7 @@ FreeSteps::FreeSteps(const SuspensionSolver& solver, const OutputSchedule& sched
       schedule_(schedule),
       instants_(instants),
       statistics_(statistics),
-      settings_(stepping_settings(solver)),
+      settings_(stepping_settings(solver, statistics.errors.size())),
       passing_(solver) {}
 
 StepStart FreeSteps::begin(const RunState& state, TimedSolution flow) {

@@ -38,10 +38,11 @@ Simulation::Simulation(const SuspensionSolver& solver, Observer observer, LoadFu
     : solver_(solver),
       observer_(std::move(observer)),
       schedule_(solver.scene()),
-      statistics_{.errors = VectorXd::Zero(initial_state(solver).size()),
-                  .bound = stepping_settings(solver).bound},
       instants_(solver, schedule_, statistics_, std::move(loads)),
       state_{.now = {0.0, initial_state(solver), {}}, .solves = instants_.memory()} {
+  const Eigen::Index entries = state_.now.state.size();
+  statistics_.errors.setZero(entries);
+  statistics_.bound = stepping_settings(solver, entries).bound;
   const std::optional<TimeSettings>& time = solver.scene().time;
   require(!time || is_embedded(time->method) || time->dt,
           "time.dt is required: the method of the scene does not choose its first step");
@@ -126,7 +127,7 @@ void Simulation::adapt_to_effort(const StepInfo& step) {
   const TimeSettings& time = *solver_.scene().time;
   StepMemory& memory = state_.steps;
   if (!time.effort || memory.reduced) return;
-  const SteppingSettings settings = stepping_settings(solver_);
+  const SteppingSettings settings = stepping_settings(solver_, state_.now.state.size());
   double dt = memory.dt.value_or(*time.dt);
   if (step.gmres_iterations < time.effort->few) dt = std::min(2.0 * dt, settings.dt_max);
   if (step.gmres_iterations > time.effort->many) dt = std::max(0.5 * dt, settings.dt_min);

@@ -28,7 +28,7 @@ constexpr double error_of_a_step = 0.5;
 
 }  // namespace
 
-SteppingSettings stepping_settings(const SuspensionSolver& solver) {
+SteppingSettings stepping_settings(const SuspensionSolver& solver, Eigen::Index entries) {
   const TimeSettings time = solver.scene().time.value_or(TimeSettings{});
   SteppingSettings settings{.method = time.method, .dt = time.dt};
   const double none = std::numeric_limits<double>::infinity();
@@ -41,9 +41,9 @@ SteppingSettings stepping_settings(const SuspensionSolver& solver) {
     settings.dt_max = std::min(settings.dt_max, 0.25 * shortest_period(solver.scene()));
     if (settings.dt) settings.dt = std::min(*settings.dt, settings.dt_max);
   }
-  const Configuration unit(solver.discretisation().size(),
-                           {largest_radius(solver) * Complex{1.0, 1.0}, 1.0});
-  VectorXd scale = VectorXd::Constant(initial_state(solver).size(), largest_radius(solver));
+  const double radius = largest_radius(solver);
+  const Configuration unit(solver.discretisation().size(), {radius * Complex{1.0, 1.0}, 1.0});
+  VectorXd scale = VectorXd::Constant(entries, radius);
   scale.head(3 * std::ssize(unit)) = to_state(unit);
   settings.bound = {error_of_a_step * time.tolerance.value_or(default_step_tolerance), scale};
   return settings;

@@ -16,7 +16,8 @@ namespace stokesbook {
 /// largest distance of its boundary from its position; the errors of orientations are measured in
 /// radians. The results therefore do not depend on the units of length and time in a scene. A scene
 /// without [time] has the defaults of TimeSettings.
-SteppingSettings stepping_settings(const SuspensionSolver& solver);
+/// @param  entries  number of entries of the state, which initial_state() makes
+SteppingSettings stepping_settings(const SuspensionSolver& solver, Eigen::Index entries);
 
 /// A step that is about to be taken.
 struct StepStart {
