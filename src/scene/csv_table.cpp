@@ -77,7 +77,9 @@ CsvTable parse_csv(std::string_view text, const std::string& file_name, const Cs
       continue;
     }
     for (const std::string_view name : split(line, ',')) table.columns.emplace_back(trim(name));
-    if (!header.accepts(table.columns)) {
+    const bool is_valid = header.accepts != nullptr ? header.accepts(table.columns)
+                                                    : joined(table.columns, ",") == header.expected;
+    if (!is_valid) {
       throw SceneError(where + ": header = " + std::string(line) + ": must be " +
                        std::string(header.expected));
     }

@@ -30,8 +30,9 @@ struct CsvTable {
 
 /// Rule for the header line of a CSV table.
 struct CsvHeader {
-  std::string_view expected;                         ///< completes "must be ..."
-  bool (*accepts)(const std::vector<std::string>&);  ///< returns whether columns are valid
+  std::string_view expected;  ///< completes "must be ..."
+  /// Returns whether columns are valid; null: they must be the expected ones, such as "x,y".
+  bool (*accepts)(const std::vector<std::string>&) = nullptr;
 };
 
 /// Parses comma-separated numbers below a header line that the rule accepts. Blank lines and

@@ -15,16 +15,8 @@ namespace stokesbook::scene_text {
 
 namespace {
 
-const CsvHeader points_header{"x,y", [](const std::vector<std::string>& columns) {
-                                return columns == std::vector<std::string>{"x", "y"};
-                              }};
-
-const CsvHeader data_header{"t,u,v", [](const std::vector<std::string>& columns) {
-                              return columns == std::vector<std::string>{"t", "u", "v"};
-                            }};
-
 NodalCurve nodes_of_file(const Node& file, const std::filesystem::path& directory) {
-  const CsvTable table = read_csv_file(file, directory, points_header);
+  const CsvTable table = read_csv_file(file, directory, {"x,y"});
   ComplexVector points(static_cast<Eigen::Index>(table.rows.size()));
   std::ranges::transform(table.rows, points.begin(), [](const CsvRow& row) {
     return Complex{row.values[0], row.values[1]};
@@ -79,7 +71,7 @@ VelocityData read_data(const Node& node, const std::filesystem::path& directory)
   VelocityData data;
   if (rows == nullptr) {
     rows = &table.at("file", describe(csv_file_name) + ", or " + expected);
-    for (const CsvRow& row : read_csv_file(*rows, directory, data_header).rows) {
+    for (const CsvRow& row : read_csv_file(*rows, directory, {"t,u,v"}).rows) {
       const std::string problem = add_row(data, row.values);
       if (!problem.empty()) throw SceneError(row.where + ": " + problem);
     }
