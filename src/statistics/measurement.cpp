@@ -11,9 +11,8 @@ namespace stokesbook {
 
 MeanEstimate mean_of_all(const std::vector<double>& t, std::span<const double> values) {
   constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-  const MeanEstimate estimate = t.size() == 1 ? MeanEstimate{values[0], undefined, undefined}
-                                              : mean_over_time(t, values, t.front(), t.back());
-  return std::isnan(estimate.mean) ? MeanEstimate{undefined, undefined, undefined} : estimate;
+  if (t.size() == 1) return {values[0], undefined, undefined};
+  return mean_over_time(t, values, t.front(), t.back());
 }
 
 void Measurement::add(const std::string& quantity, const std::vector<double>& t,
