@@ -49,11 +49,7 @@ std::string draw_paths(const Run& run, const std::vector<std::size_t>& bodies) {
       row += scene.bodies.size();
     }
     row -= scene.bodies.size();
-    frame.bodies.push_back({path[path.size() - 1],
-                            table["theta"][row],
-                            {table["ux"][row], table["uy"][row]},
-                            0.0,
-                            {}});
+    frame.bodies.push_back(body_state(table, row));
   }
   std::vector<BodyPath> paths;
   for (const std::size_t body : bodies) {

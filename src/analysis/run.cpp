@@ -30,12 +30,21 @@ Run read_run(const std::filesystem::path& path) {
   return run;
 }
 
+BodyState body_state(const NumberTable& bodies, std::size_t row) {
+  return {.position = {bodies["x"][row], bodies["y"][row]},
+          .orientation = bodies["theta"][row],
+          .velocity = {bodies["ux"][row], bodies["uy"][row]},
+          .omega = bodies["omega"][row],
+          .force = {},
+          .torque = 0.0};
+}
+
 double largest_radius(const Scene& scene) {
   constexpr Eigen::Index points = 256;
   double radius = 0.0;
   for (const Body& body : scene.bodies) {
-    const ComplexVector curve = sample(body.shape, points, Side::fluid_outside).x;
-    radius = std::max(radius, curve.cwiseAbs().maxCoeff());
+    const Curve curve = sample(body.shape, points, Side::fluid_outside);
+    radius = std::max(radius, bounding_radius(curve, 0.0));
   }
   return radius > 0.0 ? radius : 1.0;
 }

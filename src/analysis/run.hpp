@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "record/number_table.hpp"
+#include "record/run_data.hpp"
 #include "scene/scene.hpp"
 
 namespace stokesbook {
@@ -25,6 +26,9 @@ struct Run {
 /// @throws RecordError when the folder has no tables, or when a table is damaged
 /// @throws SceneError when scene.toml is damaged
 Run read_run(const std::filesystem::path& path);
+
+/// Returns the pose and the motion of a body in a row of trajectory.csv; without its load.
+BodyState body_state(const NumberTable& bodies, std::size_t row);
 
 /// Returns the largest distance of a body's boundary from its position: the unit of errors of
 /// positions, as for time.tolerance. Returns 1 if there are no bodies.

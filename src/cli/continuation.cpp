@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "record/number_table.hpp"
+#include "analysis/run.hpp"
 #include "scene/parse.hpp"
 #include "suspension/bodies/configuration.hpp"
 #include "suspension/motion/output_schedule.hpp"
@@ -124,7 +124,8 @@ TimedPoses poses_at(const fs::path& run, std::optional<double> time) {
   TimedPoses found{t, {}};
   for (std::size_t row = 0; row < times.size(); ++row) {
     if (times[row] != t) continue;
-    found.poses.push_back({{table["x"][row], table["y"][row]}, table["theta"][row]});
+    const BodyState body = body_state(table, row);
+    found.poses.push_back({body.position, body.orientation});
   }
   return found;
 }

@@ -91,12 +91,7 @@ BodyFrames read_frames(const Run& run, double from, double to) {
     frames.t.push_back(run.times()[k]);
     frames.bodies.emplace_back();
     for (std::size_t row = k * count; row < (k + 1) * count; ++row) {
-      frames.bodies.back().push_back({.position = {table["x"][row], table["y"][row]},
-                                      .orientation = table["theta"][row],
-                                      .velocity = {table["ux"][row], table["uy"][row]},
-                                      .omega = table["omega"][row],
-                                      .force = {},
-                                      .torque = 0.0});
+      frames.bodies.back().push_back(body_state(table, row));
     }
   }
   if (!frames.t.empty()) return frames;
