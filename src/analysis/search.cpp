@@ -248,10 +248,8 @@ class Searcher {
 }  // namespace
 
 Search search(Scene scene, const Request& request, const RunScene& run) {
-  if (scene.contact && scene.contact->in_spacings) throw separation_in_spacings();
+  scene = with_tables_only(std::move(scene));
   if (!scene.output.dt_write) scene.output.dt_write = scene.time->t_final / 50.0;
-  scene.output.formats = {OutputFormat::csv};
-  scene.output.fields.reset();
   return Searcher(std::move(scene), request, run).find();
 }
 

@@ -65,7 +65,7 @@ struct Search {
 /// 5. The steps are adjusted once more to the settings of 3 and 4.
 /// @param  scene  a scene with [time], without fills; if it writes every step, fifty times are
 ///                compared
-/// @throws SceneError when the scene does not define the quantity, and separation_in_spacings()
+/// @throws SceneError when the scene does not define the quantity, and as with_tables_only() does
 /// @par Cost  at most the budget, of which the references take at most half
 Search search(Scene scene, const Request& request, const RunScene& run);
 

@@ -2,6 +2,7 @@
 #include "analysis/settings.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/words.hpp"
 #include "text/number_text.hpp"
@@ -52,15 +53,21 @@ Scene with_settings(Scene scene, const Settings& settings) {
   return scene;
 }
 
-SceneError separation_in_spacings() {
-  return SceneError(
-      "contact.minimum_separation: must be a length here, since runs with other "
-      "numbers of nodes are compared, which change the node spacing");
+Scene with_tables_only(Scene scene) {
+  if (scene.contact && scene.contact->in_spacings) {
+    throw SceneError(
+        "contact.minimum_separation: must be a length here, since runs with other numbers of nodes "
+        "are compared, which change the node spacing");
+  }
+  scene.output.formats = {OutputFormat::csv};
+  scene.output.fields.reset();
+  return scene;
 }
 
 Scene tightened(Scene scene) {
-  if (scene.contact && scene.contact->in_spacings) throw separation_in_spacings();
-  if (std::ranges::count(scene.output.formats, OutputFormat::csv) == 0) {
+  const bool writes_tables = std::ranges::count(scene.output.formats, OutputFormat::csv) > 0;
+  scene = with_tables_only(std::move(scene));
+  if (!writes_tables) {
     throw SceneError("output.formats: must contain \"csv\", since tables of runs are compared");
   }
   TimeSettings& time = *scene.time;
@@ -80,8 +87,6 @@ Scene tightened(Scene scene) {
   const double solver = scene.solver.tolerance;
   set_solver_tolerance(scene, std::max(std::min(solver, least_solver_tolerance), 0.01 * solver));
   set_nodes(scene, {});
-  scene.output.formats = {OutputFormat::csv};
-  scene.output.fields.reset();
   return scene;
 }
 

@@ -24,15 +24,16 @@ std::string to_text(const Settings& settings);
 /// @param  scene  a scene with [time] and without fills
 Scene with_settings(Scene scene, const Settings& settings);
 
-/// Returns the error for scenes that measure contact.minimum_separation in node spacings: other
-/// numbers of nodes make another scene of them.
-SceneError separation_in_spacings();
+/// Returns a scene that writes nothing but tables, for runs with other numbers of nodes.
+/// @throws SceneError when contact.minimum_separation is in node spacings: other numbers of nodes
+///         would change the separation
+Scene with_tables_only(Scene scene);
 
 /// Returns a scene with tighter tolerances, whose run shows the error of the scene's own run:
 /// solver.tolerance and GMRES' tolerance are a hundredth, time.tolerance is a tenth, or time.dt is
 /// half, and all numbers of nodes are automatic. Only tables are written.
 /// @param  scene  a scene with [time] and without fills
-/// @throws SceneError separation_in_spacings(), when the scene writes no tables, and when it adapts
+/// @throws SceneError as with_tables_only() does, when the scene writes no tables, and when it adapts
 ///         its steps by effort, whose bounds do not limit the error
 Scene tightened(Scene scene);
 
