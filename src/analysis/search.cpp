@@ -106,19 +106,22 @@ class Searcher {
       trial.error = error_of(comparison);
     }
     search_.trials.push_back(trial);
-    if (trial.error <= request_.accuracy && is_cheaper(trial)) {
+    if (trial.error <= request_.accuracy && is_better(trial)) {
       search_.best = search_.trials.size() - 1;
     }
     return trial;
   }
 
-  /// Returns whether a trial costs less than the best one: in CPU time, or in products if the times
-  /// hardly differ, since the start of a process and other programs change them.
-  bool is_cheaper(const Trial& trial) const {
+  /// Returns whether a trial is better than the best one: it takes less CPU time, or fewer products
+  /// if the times hardly differ; or, if the products hardly differ either, the error of the best one
+  /// is below a third of the accuracy, and that of the trial is not.
+  bool is_better(const Trial& trial) const {
     if (!search_.best) return true;
-    const double difference = trial.seconds - best().seconds;
-    const bool is_clear = std::abs(difference) > startup + 0.1 * best().seconds;
-    return is_clear ? difference < 0.0 : trial.products < 0.9 * best().products;
+    const double later = trial.seconds - best().seconds;
+    if (std::abs(later) > noise + 0.1 * best().seconds) return later < 0.0;
+    const double more = trial.products - best().products;
+    if (std::abs(more) > 0.1 * best().products) return more < 0.0;
+    return best().error < request_.accuracy / 3.0 && trial.error >= request_.accuracy / 3.0;
   }
 
   /// Returns the CPU time of the best trial; infinite if there is none.
@@ -198,7 +201,7 @@ class Searcher {
       const double next = possible_step(candidate, settings.step * factor);
       const double steps =
           std::pow(settings.step / next, candidate.adaptive ? 1.0 / candidate.order : 1.0);
-      if (next == settings.step || now->seconds * steps > startup + 2.0 * least_seconds()) return;
+      if (next == settings.step || now->seconds * steps > noise + 2.0 * least_seconds()) return;
       settings.step = next;
       if (!std::isnan(now->error)) before = now;
     }
@@ -236,7 +239,8 @@ class Searcher {
     }
   }
 
-  static constexpr double startup = 0.05;  // CPU time in which a process starts, seconds
+  // CPU time by which equal runs may differ, seconds: other programs change it.
+  static constexpr double noise = 0.2;
 
   Scene scene_;
   const Request& request_;

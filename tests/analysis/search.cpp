@@ -14,6 +14,8 @@ namespace {
 
 /// A model of a run: its error and its cost as functions of the settings.
 struct Model {
+  static constexpr double products_per_second = 300.0;
+
   double solver_error = 0.1;    ///< error over solver.tolerance
   double step_error = 1.0;      ///< error over time.tolerance, and constant of the fixed steps
   double cost_of_nodes = 1.0;   ///< factor on the cost if nodes are automatic
@@ -52,7 +54,9 @@ struct Model {
       return {.seconds = most_seconds, .failure = "took too long"};
     }
     const double e = error(scene);
-    return {.run = run_of(scene, {0, 5, 10}, [&](double t) { return 0.2 * t * e; }),
+    Run run = run_of(scene, {0, 5, 10}, [&](double t) { return 0.2 * t * e; });
+    run.steps.columns[3].assign(3, products_per_second * needed / 3.0);
+    return {.run = std::move(run),
             .seconds = needed,
             .nodes = std::vector<int>(scene.bodies.size() + 1, 32)};
   }
@@ -102,6 +106,25 @@ BOOST_AUTO_TEST_CASE(the_search_finds_settings_near_the_best) {
       BOOST_TEST(best.seconds <= 2.0 * least_cost(model, accuracy));
       BOOST_TEST(found.trials.size() < 40u);
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(products_decide_between_short_runs) {
+  for (const double accuracy : {1e-2, 1e-3, 1e-5}) {
+    Model model;
+    int runs = 0;
+    const auto run = [&](const Scene& scene, double) {
+      Outcome outcome = model.run(scene, 1e9);
+      // On a busy machine, the times of runs below .2 s are random.
+      outcome.seconds = 0.05 + 0.03 * (runs++ * 7 % 5);
+      return outcome;
+    };
+    const Search found = search(disks(2), {.accuracy = accuracy, .budget = 1e5}, run);
+    BOOST_REQUIRE_MESSAGE(found.best, found.failure);
+    const Trial& best = found.trials[*found.best];
+    BOOST_TEST(best.error <= accuracy);
+    BOOST_TEST(best.error >= accuracy / 3.0);
+    BOOST_TEST(best.products <= 2.0 * Model::products_per_second * least_cost(model, accuracy));
   }
 }
 

@@ -39,6 +39,9 @@ dt_write = 0.5
 # and crowds are smaller than those of the shipped scenes, so that all settings can be tried.
 SEARCHED = {
     "pair": ("two_disks.toml", 1e-3, ["time.t_final=12.0"]),
+    "oscillation": ("two_disks.toml", 1e-3, [
+        "time.t_final=12.0", "flow.reverse_at=[]",
+        "flow.amplitude={kind = \"oscillation\", amplitude = 2.0, period = 12.0}"]),
     "rotors": ("rotors.toml", 1e-3, ["time.t_final=5.0", "output.dt_write=0.5"]),
     "nine": ("vortices.toml", 1e-3, ["fill.0.count=9", "fill.0.region.box=[0.0, 0.0, 7.0, 7.0]",
                                      "time.t_final=3.0", "output.dt_write=0.5"]),
