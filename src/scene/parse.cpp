@@ -1,5 +1,6 @@
 // Reads a scene file: parses its text, sets the values of the command line, and reads all sections:
-// the title, [fluid] and [flow] here, the others by the functions of sections.hpp.
+// the title, [fluid], [flow] and amplitudes here, the others by their keys in parameters.hpp or by
+// the functions of sections.hpp.
 #include "scene/parse.hpp"
 
 #include <algorithm>
@@ -26,6 +27,19 @@ constexpr Requirement<std::vector<double>> ascending_times{
       const bool ascending = std::ranges::adjacent_find(times, std::greater_equal{}) == times.end();
       return ascending && (times.empty() || times.front() > 0.0);
     }};
+
+// Reads an oscillation, whose period may be given by its frequency.
+OscillatingAmplitude read_oscillation(const Node& node, const Amplitude& kind) {
+  auto oscillation = std::get<OscillatingAmplitude>(read_parameters(kind, node, {"frequency"}));
+  const TableReader table(node);
+  if (const auto frequency = table.get("frequency", positive_number)) {
+    table.refuse({"period"}, "give period or frequency, not both");
+    oscillation.period = 1.0 / *frequency;
+  } else {
+    table.require("period", positive_number);
+  }
+  return oscillation;
+}
 
 // Reads [flow] or a term of a sum. A term must have a kind, and none of the other keys of [flow].
 BackgroundFlow read_flow(const Node& node, std::vector<std::string_view> others) {
@@ -80,17 +94,17 @@ SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
     if (std::holds_alternative<QuiescentFlow>(scene.flow)) {
       table.refuse({"amplitude"}, "has no effect: give kind, or remove it");
     }
-    scene.flow_amplitude = read_amplitude(table);
+    scene.flow_amplitude = table.get("amplitude", any_amplitude, scene.flow_amplitude);
     scene.gauge_length = table.get("gauge_length", positive_number);
     scene.reverse_at = table.get("reverse_at", ascending_times, scene.reverse_at);
   }
   scene.bodies = read_bodies(root, directory);
   fills = read_fills(root, directory, enclosed);
   scene.tracers = read_tracers(root);
-  scene.gravity = read_gravity(root);
-  scene.magnetic_field = read_magnetic_field(root);
-  scene.repulsion = read_repulsion(root);
-  scene.solver = read_solver(root);
+  scene.gravity = root.get("gravity", TableOf<Gravity>{});
+  scene.magnetic_field = root.get("magnetic_field", TableOf<MagneticField>{});
+  scene.repulsion = root.get("repulsion", TableOf<Repulsion>{});
+  scene.solver = root.get("solver", TableOf<SolverSettings>{}, scene.solver);
   scene.time = read_time(root);
   scene = with_matched_tolerances(root, std::move(scene));
   scene.contact = read_contact(root, file);
@@ -102,6 +116,26 @@ SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
 }
 
 }  // namespace
+
+Amplitude scene_text::read(const Node& node, const TableOf<Amplitude>&) {
+  const TableReader table(node);
+  const Amplitude kind = table.require("kind", amplitude_kinds);
+  if (std::holds_alternative<OscillatingAmplitude>(kind)) return read_oscillation(node, kind);
+  const Amplitude amplitude = read_parameters(kind, node);
+  const auto check = [&](const auto& values) {
+    if constexpr (requires { values.times; }) {
+      if (values.values.size() != values.times.size()) {
+        fail(*table.find("values"), "must hold as many numbers as times");
+      }
+    }
+  };
+  std::visit(check, amplitude);
+  const auto* steps = std::get_if<SteppedAmplitude>(&amplitude);
+  if (steps != nullptr && steps->times.front() != 0.0) {
+    fail(*table.find("times"), "must begin with 0, at which the first value begins");
+  }
+  return amplitude;
+}
 
 SceneFile read_scene(const std::filesystem::path& path, std::span<const std::string> overrides) {
   const std::optional<std::string> text = read_text_file(path);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "scene/csv_table.hpp"
+#include "scene/parameters.hpp"
 #include "scene/sections.hpp"
 #include "scene/write.hpp"
 
@@ -48,8 +49,32 @@ Wall read_wall(const Node& node, const std::filesystem::path& directory) {
   if (std::holds_alternative<FixedWall>(wall.motion)) {
     table.refuse({"amplitude"}, "has no effect on a fixed wall: give a motion, or remove it");
   }
-  wall.amplitude = read_amplitude(table);
+  wall.amplitude = table.get("amplitude", any_amplitude, wall.amplitude);
   return wall;
+}
+
+/// Reads the loads of bodies, lists and fills beside force and torque.
+/// @param  has_weight  whether `density` is required in a scene with [gravity]
+LoadLaws read_load_laws(const TableReader& owner, const TableReader& root, bool has_weight) {
+  for (const auto& [key, section] :
+       {std::pair{"density", "gravity"}, {"magnetic_moment", "magnetic_field"}}) {
+    if (root.find(section) != nullptr) continue;
+    owner.refuse({key}, "has no effect: write [" + std::string(section) + "], or remove it");
+  }
+  const LoadLaws loads = read_keys(LoadLaws{}, owner);
+  if (has_weight && root.find("gravity") != nullptr) owner.require("density", nonnegative_number);
+  return loads;
+}
+
+/// Returns a body with the keys that bodies, lists and fills have in common, besides the shape.
+Body with_properties(Body body, const TableReader& table, const TableReader& root,
+                     const std::filesystem::path& directory, bool has_weight) {
+  body.force = table.get("force", any_vector, body.force);
+  body.torque = table.get("torque", any_number, body.torque);
+  body.n_nodes = read_node_count(table);
+  body.loads = read_load_laws(table, root, has_weight);
+  body.slip = read_slip(table, directory);
+  return body;
 }
 
 Body read_body(const Node& node, const TableReader& root, const std::filesystem::path& directory) {
@@ -71,14 +96,9 @@ Body read_body(const Node& node, const TableReader& root, const std::filesystem:
     table.refuse({"velocity", "omega"},
                  "velocity and omega of a free body are results; remove them, or set held = true");
   }
-  body.force = table.get("force", any_vector, body.force);
-  body.torque = table.get("torque", any_number, body.torque);
   body.velocity = table.get("velocity", any_vector, body.velocity);
   body.omega = table.get("omega", any_number, body.omega);
-  body.n_nodes = read_node_count(table);
-  body.loads = read_load_laws(table, root, !body.held);
-  body.slip = read_slip(table, directory);
-  return body;
+  return with_properties(body, table, root, directory, !body.held);
 }
 
 const CsvHeader list_header{
@@ -118,11 +138,7 @@ std::vector<Body> read_body_list(const Node& node, const TableReader& root,
   if (rows.has("density") && root.find("gravity") == nullptr) {
     fail(file, "the column density has no effect: write [gravity], or remove it");
   }
-  body.force = table.get("force", any_vector, body.force);
-  body.torque = table.get("torque", any_number, body.torque);
-  body.n_nodes = read_node_count(table);
-  body.loads = read_load_laws(table, root, !rows.has("density"));
-  body.slip = read_slip(table, directory);
+  body = with_properties(body, table, root, directory, !rows.has("density"));
 
   std::vector<Body> bodies;
   for (const CsvRow& row : rows.rows) {
@@ -175,7 +191,7 @@ std::vector<Fill> split_by_size(const Node& list, const Fill& fill) {
     const double size = pair.real(), area = pair.imag() * size * size;
     areas += area;
     Fill& part = fills.emplace_back(fill);
-    part.shape = scaled(fill.shape, size);
+    part.body.shape = scaled(fill.body.shape, size);
     part.area_fraction = area * *fill.area_fraction;
   }
   if (fills.empty()) fail(list, "must be " + expected);
@@ -189,7 +205,7 @@ std::vector<Fill> read_fill(const Node& node, const TableReader& root,
       node, {"shape", "sizes", "area_fraction", "count", "region", "clearance", "n_nodes", "force",
              "torque", "slip", "amplitude", "density", "trap", "magnetic_moment"});
   Fill fill;
-  fill.shape = read_shape(table, directory);
+  fill.body.shape = read_shape(table, directory);
   fill.area_fraction = table.get("area_fraction", proper_fraction);
   fill.count = table.get("count", positive_integer);
   if (fill.area_fraction.has_value() == fill.count.has_value()) {
@@ -198,11 +214,7 @@ std::vector<Fill> read_fill(const Node& node, const TableReader& root,
   if (fill.count) table.refuse({"sizes"}, "sizes require area_fraction; remove count");
   fill.box = read_region(table, enclosed);
   fill.clearance = table.get("clearance", nonnegative_number, fill.clearance);
-  fill.n_nodes = read_node_count(table);
-  fill.force = table.get("force", any_vector, fill.force);
-  fill.torque = table.get("torque", any_number, fill.torque);
-  fill.loads = read_load_laws(table, root, true);
-  fill.slip = read_slip(table, directory);
+  fill.body = with_properties(fill.body, table, root, directory, true);
   const Node* sizes = table.find("sizes");
   return sizes ? split_by_size(*sizes, fill) : std::vector{fill};
 }

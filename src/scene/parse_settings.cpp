@@ -1,10 +1,11 @@
-// Reads the sections [solver], [time], [contact] and [output] of a scene file. [contact] is checked
+// Reads the sections [time], [contact] and [output] of a scene file. [contact] is checked
 // against the bodies and time steps, which must allow contact.
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
 
+#include "scene/parameters.hpp"
 #include "scene/sections.hpp"
 #include "text/number_text.hpp"
 #include "text/word_list.hpp"
@@ -13,37 +14,8 @@ namespace stokesbook::scene_text {
 
 namespace {
 
-constexpr Requirement<double> accuracy{"a number from 1e-14 to 0.1",
-                                       [](const double& x) { return x >= 1e-14 && x <= 0.1; }};
-constexpr Requirement<int> resolution{
-    "an integer from 2 to 2000: points along the box's longer side",
-    [](const int& k) { return k >= 2 && k <= 2000; }};
 constexpr Requirement<double> step_tolerance{
     "a number from 1e-13 to 0.1", [](const double& x) { return x >= 1e-13 && x <= 0.1; }};
-
-/// Reads a list of one or more distinct words.
-template <class T, std::size_t N>
-std::vector<T> read_distinct(const Node& node, const Words<T, N>& words) {
-  const std::string expected = "a list of one or more of " + joined(words, ", ", &Word<T>::name);
-  std::vector<T> meanings;
-  for (const Node& element : elements_of(node, expected)) {
-    const T meaning = meanings.emplace_back(read(element, words));
-    if (std::ranges::count(meanings, meaning) > 1) fail(element, "is repeated in the list");
-  }
-  if (meanings.empty()) fail(node, "must be " + expected);
-  return meanings;
-}
-
-FieldSettings read_fields(const Node& node) {
-  const TableReader table(node, {"box", "resolution", "quantities"});
-  FieldSettings fields;
-  fields.box = table.require("box", any_box);
-  fields.resolution = table.get("resolution", resolution, fields.resolution);
-  if (const Node* quantities = table.find("quantities")) {
-    fields.quantities = read_distinct(*quantities, field_quantities);
-  }
-  return fields;
-}
 
 std::string adaptive_methods() {
   std::vector<std::string_view> names;
@@ -54,10 +26,8 @@ std::string adaptive_methods() {
 }
 
 EffortBounds read_effort(const Node& node) {
-  const TableReader table(node, {"few", "many"});
-  const EffortBounds effort{table.require("few", positive_integer),
-                            table.require("many", positive_integer)};
-  if (effort.few >= effort.many) fail(*table.find("many"), "must be more than few");
+  const EffortBounds effort = read(node, TableOf<EffortBounds>{});
+  if (effort.few >= effort.many) fail(*TableReader(node).find("many"), "must be more than few");
   return effort;
 }
 
@@ -98,23 +68,6 @@ ContactSettings read_separation(const Node& node) {
 }
 
 }  // namespace
-
-SolverSettings read_solver(const TableReader& root) {
-  SolverSettings solver;
-  const Node* node = root.find("solver");
-  if (node == nullptr) return solver;
-  const TableReader table(*node, {"tolerance", "gmres_tol", "gmres_max_iterations", "summation",
-                                  "near_singular", "preconditioner", "coupling"});
-  solver.tolerance = table.get("tolerance", accuracy, solver.tolerance);
-  solver.gmres_tol = table.get("gmres_tol", proper_fraction);
-  solver.gmres_max_iterations =
-      table.get("gmres_max_iterations", positive_integer, solver.gmres_max_iterations);
-  solver.summation = table.get("summation", summations, solver.summation);
-  solver.near_singular = table.get("near_singular", near_singular_schemes, solver.near_singular);
-  solver.preconditioner = table.get("preconditioner", preconditioners, solver.preconditioner);
-  solver.coupling = table.get("coupling", couplings, solver.coupling);
-  return solver;
-}
 
 std::optional<TimeSettings> read_time(const TableReader& root) {
   const Node* node = root.find("time");
@@ -198,7 +151,8 @@ std::optional<ContactSettings> read_contact(const TableReader& root, const Scene
     fail_at_key(*node, "there are no bodies; add [[bodies]] or remove [contact]");
   }
   const auto automatic = std::ranges::count(scene.bodies, automatic_nodes, &Body::n_nodes) +
-                         std::ranges::count(fills, automatic_nodes, &Fill::n_nodes);
+                         std::ranges::count(fills, automatic_nodes,
+                                            [](const Fill& fill) { return fill.body.n_nodes; });
   if (contact.in_spacings && automatic > 0) {
     fail(given,
          "requires numbers for all n_nodes, since h is the node spacing; a body has \"auto\"");
@@ -212,19 +166,12 @@ std::optional<ContactSettings> read_contact(const TableReader& root, const Scene
 }
 
 OutputSettings read_output(const TableReader& root) {
-  OutputSettings output;
   const Node* node = root.find("output");
-  if (node == nullptr) return output;
-  const TableReader table(*node, {"dt_write", "formats", "fields", "nodes"});
-  output.dt_write = table.get("dt_write", positive_number);
+  if (node == nullptr) return {};
+  const OutputSettings output = read(*node, TableOf<OutputSettings>{});
   if (const Node* time = root.find("time")) {
-    refuse_endless(table, "dt_write", *TableReader(*time).find("t_final"));
+    refuse_endless(TableReader(*node), "dt_write", *TableReader(*time).find("t_final"));
   }
-  if (const Node* formats = table.find("formats")) {
-    output.formats = read_distinct(*formats, output_formats);
-  }
-  if (const Node* fields = table.find("fields")) output.fields = read_fields(*fields);
-  output.nodes = table.get("nodes", any_flag, output.nodes);
   return output;
 }
 

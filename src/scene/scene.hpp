@@ -217,16 +217,11 @@ struct Body {
 
 /// A request for equal bodies at random places without overlap, reproducible by the seed.
 struct Fill {
-  Shape shape{};                          ///< shape of each body, in its own frame
+  Body body{};                            ///< each body, free, without its place
   std::optional<double> area_fraction{};  ///< part of the region, in (0, 1); none: count is given
   std::optional<int> count{};             ///< number of bodies, >= 1; none: area_fraction is given
   std::optional<std::array<double, 4>> box{};  ///< xmin, ymin, xmax, ymax, length; none: the fluid
   double clearance = 0.0;                      ///< least gap between any two curves, length
-  int n_nodes = automatic_nodes;               ///< collocation nodes of each body, or automatic
-  std::optional<Slip> slip{};                  ///< slip of each body; none: no slip
-  Complex force{};                             ///< load on each body, force / length
-  double torque = 0.0;                         ///< load on each body, force
-  LoadLaws loads{};                            ///< loads of each body beside force and torque
   bool operator==(const Fill&) const = default;  ///< compares all members
 };
 

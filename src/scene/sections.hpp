@@ -22,22 +22,6 @@ std::optional<Slip> read_slip(const TableReader& owner, const std::filesystem::p
 WallMotion read_motion(const TableReader& wall, const Shape& shape,
                        const std::filesystem::path& directory);
 
-/// Reads the key `amplitude` of a section; 1 if the key is missing.
-Amplitude read_amplitude(const TableReader& owner);
-
-/// Reads the keys `amplitude`, `density`, `trap` and `magnetic_moment` of bodies, lists and fills.
-/// @param  has_weight  whether `density` is required in a scene with [gravity]
-LoadLaws read_load_laws(const TableReader& owner, const TableReader& root, bool has_weight);
-
-/// Reads [gravity].
-std::optional<Gravity> read_gravity(const TableReader& root);
-
-/// Reads [magnetic_field].
-std::optional<MagneticField> read_magnetic_field(const TableReader& root);
-
-/// Reads [repulsion].
-std::optional<Repulsion> read_repulsion(const TableReader& root);
-
 /// Reads [[walls]], of which at most one may be outer.
 std::vector<Wall> read_walls(const TableReader& root, const std::filesystem::path& directory);
 
@@ -51,9 +35,6 @@ std::vector<Fill> read_fills(const TableReader& root, const std::filesystem::pat
 
 /// Reads [[tracers]]: the points of lists and grids.
 std::vector<Complex> read_tracers(const TableReader& root);
-
-/// Reads [solver].
-SolverSettings read_solver(const TableReader& root);
 
 /// Reads [time].
 std::optional<TimeSettings> read_time(const TableReader& root);

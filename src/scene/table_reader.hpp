@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <initializer_list>
@@ -82,6 +83,30 @@ T read(const Node& node, const Words<T, N>& words) {
     if (word.name == name) return word.meaning;
   }
   fail(node, "must be " + describe(words));
+}
+
+/// A rule for a list of one or more distinct words.
+template <class T, std::size_t N>
+struct ListOf {
+  const Words<T, N>& words;  ///< words that may be in the list
+};
+
+/// Deduces the type of `ListOf{words}`, which Clang 14 does not do by itself.
+template <class T, std::size_t N>
+ListOf(const Words<T, N>&) -> ListOf<T, N>;
+
+/// Reads a list of words, and returns their meanings.
+template <class T, std::size_t N>
+std::vector<T> read(const Node& node, const ListOf<T, N>& rule) {
+  const std::string expected =
+      "a list of one or more of " + joined(rule.words, ", ", &Word<T>::name);
+  std::vector<T> meanings;
+  for (const Node& element : elements_of(node, expected)) {
+    const T meaning = meanings.emplace_back(read(element, rule.words));
+    if (std::ranges::count(meanings, meaning) > 1) fail(element, "is repeated in the list");
+  }
+  if (meanings.empty()) fail(node, "must be " + expected);
+  return meanings;
 }
 
 inline constexpr Requirement<bool> any_flag{"true or false"};            ///< a truth value

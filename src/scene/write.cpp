@@ -2,8 +2,11 @@
 // numbers so that reading restores them exactly.
 #include "scene/write.hpp"
 
+#include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstdio>
+#include <iterator>
 #include <optional>
 #include <type_traits>
 #include <variant>
@@ -62,65 +65,80 @@ std::string text_of(const auto& value) {
   }
 }
 
-std::vector<std::string_view> names_of(const auto& meanings, const auto& words) {
-  std::vector<std::string_view> names;
-  for (const auto meaning : meanings) names.push_back(name_of(meaning, words));
-  return names;
-}
-
 struct Entry;
 using Entries = std::vector<Entry>;
 
+std::string text_of(const Entries& table);
+Entries entries_of(const auto& variant, const auto& words);
+Entries entries_of(auto section);
+
+// Returns the text of a value that a rule reads; empty for a missing value.
+template <class Rule>
+std::string text_of(const auto& value, const Rule& rule) {
+  using T = std::remove_cvref_t<decltype(value)>;
+  if constexpr (requires { rule.is_default_shown; }) {
+    const std::string text = text_of(value, rule.rule);
+    return rule.is_default_shown || text != text_of(T{}, rule.rule) ? text : "";
+  } else if constexpr (requires { value.has_value(); }) {
+    return value ? text_of(*value, rule) : "";
+  } else if constexpr (std::is_enum_v<T>) {
+    return text_of(name_of(value, rule));
+  } else if constexpr (requires { rule.words; }) {
+    const auto to_text = [&](auto meaning) { return text_of(meaning, rule.words); };
+    return std::string("[").append(joined(value, ", ", to_text)) + "]";
+  } else if constexpr (std::same_as<Rule, TableOf<Amplitude>>) {
+    return text_of(entries_of(value, amplitude_kinds));
+  } else if constexpr (std::same_as<Rule, TableOf<T>>) {
+    return text_of(entries_of(value));
+  } else if constexpr (requires { value.index(); }) {  // a flow, wall motion, slip or shape
+    return text_of(entries_of(value, rule));
+  } else {
+    return text_of(value);
+  }
+}
+
 // An entry of a table, the text `key = value`. The text is empty if an optional value is missing.
 struct Entry {
-  Entry(std::string_view key, const auto& value)
-      : text(std::string(key).append(" = ") + text_of(value)) {}
-  template <class T>
-  Entry(std::string_view key, const std::optional<T>& value)
-      : text(value ? Entry(key, *value).text : "") {}
-  Entry(std::string_view key, const Entries& table)
-      : text(std::string(key).append(" = ") + inline_table(table)) {}
-  Entry(std::string_view key, const std::vector<Entries>& tables)
-      : text(std::string(key).append(" = [") + joined(tables, ", ", inline_table) + "]") {}
-
-  static std::string inline_table(const Entries& entries) {
-    return "{ " + joined(entries, ", ", &Entry::text) + " }";
+  Entry(std::string_view key, const auto& value, const auto& rule) : text(text_of(value, rule)) {
+    if (!text.empty()) text.insert(0, std::string(key) + " = ");
   }
+  Entry(std::string_view key, const auto& value) : Entry(key, value, nullptr) {}
 
   std::string text;
 };
+
+std::string text_of(const Entries& table) {
+  return "{ " + joined(table, ", ", &Entry::text) + " }";
+}
 
 Entry node_entry(int n_nodes) {
   return n_nodes == automatic_nodes ? Entry("n_nodes", automatic_word) : Entry("n_nodes", n_nodes);
 }
 
+// Returns the entries of a section, or the parameters of a flow and the like, without missing ones.
+Entries entries_of(auto section) {
+  Entries entries;
+  visit_keys(section, [&](auto key, const auto& rule, const auto& value) {
+    const Entry entry(key, value, rule);
+    if (!entry.text.empty()) entries.push_back(entry);
+  });
+  return entries;
+}
+
 // Returns the entries of a flow, wall motion, slip, shape or amplitude. The words are in the order
 // of the types.
-template <class... Kinds>
-Entries entries_of(std::variant<Kinds...> variant, const auto& words) {
+Entries entries_of(const auto& variant, const auto& words) {
   Entries entries{{"kind", words[variant.index()].name}};
-  const auto add_all = [&](auto& kind) {
-    visit_parameters(kind, [&](auto key, const auto&, const auto& parameter) {
-      // A flow about the origin is written without a centre.
-      if (key == centre_key && text_of(parameter) == text_of(Complex{})) return;
-      entries.emplace_back(key, parameter);
-    });
+  const auto add_all = [&](const auto& kind) {
+    std::ranges::move(entries_of(kind), std::back_inserter(entries));
     if constexpr (requires { kind.points; }) entries.emplace_back("points", kind.points);
     if constexpr (requires { kind.rows; }) entries.emplace_back("rows", kind.rows);
     if constexpr (requires { kind.terms; }) {
-      std::vector<Entries> terms;
-      for (const auto& term : kind.terms) terms.push_back(entries_of(term, words));
-      entries.emplace_back("terms", terms);
+      entries.emplace_back("terms", kind.terms, ListOf{words});
     }
   };
   std::visit(add_all, variant);
   return entries;
-}
-
-Entry amplitude_entry(const Amplitude& amplitude) {
-  std::optional<Entries> entries;
-  if (amplitude != Amplitude{}) entries = entries_of(amplitude, amplitude_kinds);
-  return {"amplitude", entries};
 }
 
 std::string lines(const Entries& entries) {
@@ -129,38 +147,26 @@ std::string lines(const Entries& entries) {
   return text;
 }
 
-std::optional<Entries> slip_entries(const std::optional<Slip>& slip) {
-  return slip ? std::optional(entries_of(*slip, slip_kinds)) : std::nullopt;
+template <class Section>
+std::string section(const std::string& name, const std::optional<Section>& section) {
+  return section ? "\n[" + name + "]\n" + lines(entries_of(*section)) : "";
 }
 
 std::string flow_section(const Scene& scene) {
   return "\n[flow]\n" + (is_enclosed(scene) ? "" : lines(entries_of(scene.flow, flow_kinds))) +
-         lines({amplitude_entry(scene.flow_amplitude), {"gauge_length", scene.gauge_length}}) +
-         (scene.reverse_at.empty() ? "" : lines({{"reverse_at", scene.reverse_at}}));
-}
-
-std::string load_lines(const LoadLaws& loads) {
-  std::optional<Entries> trap;
-  if (loads.trap) {
-    trap = Entries{{"stiffness", loads.trap->stiffness}};
-    if (loads.trap->centre) trap->emplace_back("centre", *loads.trap->centre);
-  }
-  std::optional<Complex> moment;
-  if (loads.magnetic_moment != Complex{}) moment = loads.magnetic_moment;
-  return lines({amplitude_entry(loads.amplitude),
-                {"density", loads.density},
-                {"trap", trap},
-                {"magnetic_moment", moment}});
+         lines({{"amplitude", scene.flow_amplitude, unless_default(any_amplitude)},
+                {"gauge_length", scene.gauge_length},
+                {"reverse_at", scene.reverse_at, unless_default(any_numbers)}});
 }
 
 std::string section(const Wall& wall) {
-  return "\n[[walls]]\n" + lines({{"role", name_of(wall.role, wall_roles)},
-                                  {"shape", entries_of(wall.shape, shape_kinds)},
+  return "\n[[walls]]\n" + lines({{"role", wall.role, wall_roles},
+                                  {"shape", wall.shape, shape_kinds},
                                   {"position", wall.position},
                                   {"orientation", wall.orientation},
                                   node_entry(wall.n_nodes),
-                                  {"motion", entries_of(wall.motion, motion_kinds)},
-                                  amplitude_entry(wall.amplitude)});
+                                  {"motion", wall.motion, motion_kinds},
+                                  {"amplitude", wall.amplitude, unless_default(any_amplitude)}});
 }
 
 std::string section(const Body& body) {
@@ -168,69 +174,37 @@ std::string section(const Body& body) {
       body.held ? lines({{"held", true}, {"velocity", body.velocity}, {"omega", body.omega}})
                 : lines({{"force", body.force}, {"torque", body.torque}});
   return "\n[[bodies]]\n" +
-         lines({{"shape", entries_of(body.shape, shape_kinds)},
+         lines({{"shape", body.shape, shape_kinds},
                 {"position", body.position},
                 {"orientation", body.orientation}}) +
-         driving + load_lines(body.loads) +
-         lines({node_entry(body.n_nodes), {"slip", slip_entries(body.slip)}});
+         driving + lines(entries_of(body.loads)) +
+         lines({node_entry(body.n_nodes), {"slip", body.slip, slip_kinds}});
 }
 
 std::string section(const Fill& fill) {
   std::optional<Entries> region;
   if (fill.box) region = Entries{{"box", *fill.box}};
   return "\n[[fill]]\n" +
-         lines({{"shape", entries_of(fill.shape, shape_kinds)},
+         lines({{"shape", fill.body.shape, shape_kinds},
                 {"area_fraction", fill.area_fraction},
                 {"count", fill.count},
                 {"region", region},
                 {"clearance", fill.clearance},
-                node_entry(fill.n_nodes),
-                {"slip", slip_entries(fill.slip)}}) +
-         (fill.force == Complex{} ? "" : lines({{"force", fill.force}})) +
-         (fill.torque == 0.0 ? "" : lines({{"torque", fill.torque}})) + load_lines(fill.loads);
-}
-
-// Returns the sections [gravity], [magnetic_field] and [repulsion] that a scene has.
-std::string load_sections_of(const Scene& scene) {
-  std::string text;
-  if (const auto& gravity = scene.gravity) {
-    text += "\n[gravity]\n" + lines({{"acceleration", gravity->acceleration},
-                                     {"fluid_density", gravity->fluid_density},
-                                     amplitude_entry(gravity->amplitude)});
-  }
-  if (const auto& magnetic = scene.magnetic_field) {
-    text += "\n[magnetic_field]\n" + lines({{"field", magnetic->field},
-                                            {"frequency", magnetic->frequency},
-                                            amplitude_entry(magnetic->amplitude)});
-  }
-  if (const auto& repulsion = scene.repulsion) {
-    text +=
-        "\n[repulsion]\n" + lines({{"strength", repulsion->strength}, {"range", repulsion->range}});
-  }
-  return text;
-}
-
-std::string section(const SolverSettings& solver) {
-  return "\n[solver]\n" +
-         lines({{"tolerance", solver.tolerance},
-                {"gmres_tol", solver.gmres_tol},
-                {"gmres_max_iterations", solver.gmres_max_iterations},
-                {"summation", name_of(solver.summation, summations)},
-                {"near_singular", name_of(solver.near_singular, near_singular_schemes)},
-                {"preconditioner", name_of(solver.preconditioner, preconditioners)},
-                {"coupling", name_of(solver.coupling, couplings)}});
+                node_entry(fill.body.n_nodes),
+                {"slip", fill.body.slip, slip_kinds},
+                {"force", fill.body.force, unless_default(any_vector)},
+                {"torque", fill.body.torque, unless_default(any_number)}}) +
+         lines(entries_of(fill.body.loads));
 }
 
 std::string section(const TimeSettings& time) {
-  std::optional<Entries> effort;
-  if (time.effort) effort = Entries{{"few", time.effort->few}, {"many", time.effort->many}};
   return "\n[time]\n" + lines({{"t_final", time.t_final},
-                               {"method", name_of(time.method, stepping_methods)},
+                               {"method", time.method, stepping_methods},
                                {"tolerance", time.tolerance},
                                {"dt", time.dt},
                                {"dt_min", time.dt_min},
                                {"dt_max", time.dt_max},
-                               {"effort", effort}});
+                               {"effort", time.effort, TableOf<EffortBounds>{}}});
 }
 
 std::string section(const ContactSettings& contact) {
@@ -239,19 +213,6 @@ std::string section(const ContactSettings& contact) {
                                ? Entry("minimum_separation", toml_value(number) + "h")
                                : Entry("minimum_separation", number);
   return "\n[contact]\n" + lines({separation, {"allow_close", contact.allow_close}});
-}
-
-std::string section(const OutputSettings& output) {
-  std::optional<Entries> fields;
-  if (output.fields) {
-    fields = Entries{{"box", output.fields->box},
-                     {"resolution", output.fields->resolution},
-                     {"quantities", names_of(output.fields->quantities, field_quantities)}};
-  }
-  return "\n[output]\n" + lines({{"dt_write", output.dt_write},
-                                 {"formats", names_of(output.formats, output_formats)},
-                                 {"fields", fields},
-                                 {"nodes", output.nodes ? std::optional(true) : std::nullopt}});
 }
 
 }  // namespace
@@ -265,10 +226,11 @@ std::string to_toml(const SceneFile& file) {
   for (const Body& body : scene.bodies) text += section(body);
   for (const Fill& fill : fills) text += section(fill);
   if (!scene.tracers.empty()) text += "\n[[tracers]]\n" + lines({{"points", scene.tracers}});
-  text += load_sections_of(scene) + section(scene.solver);
+  text += section("gravity", scene.gravity) + section("magnetic_field", scene.magnetic_field) +
+          section("repulsion", scene.repulsion) + section("solver", std::optional(scene.solver));
   if (scene.time) text += section(*scene.time);
   if (scene.contact) text += section(*scene.contact);
-  return text + section(scene.output);
+  return text + section("output", std::optional(scene.output));
 }
 
 }  // namespace stokesbook

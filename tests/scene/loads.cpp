@@ -65,9 +65,9 @@ BOOST_AUTO_TEST_CASE(bodies_fills_and_sections) {
                  "frequency = 3\n[repulsion]\nstrength = 4\nrange = 5\n");
   const LoadLaws expected{{}, 4.0, Trap{5.0, Complex{6.0, 7.0}}, {8.0, 9.0}};
   BOOST_TEST((file.scene.bodies[0].loads == expected));
-  BOOST_TEST((file.fills[0].loads == expected));
-  BOOST_TEST(file.fills[0].force == Complex(1.0, 2.0));
-  BOOST_TEST(file.fills[0].torque == 3.0);
+  BOOST_TEST((file.fills[0].body.loads == expected));
+  BOOST_TEST(file.fills[0].body.force == Complex(1.0, 2.0));
+  BOOST_TEST(file.fills[0].body.torque == 3.0);
   BOOST_TEST((file.scene.gravity == Gravity{{0.0, -2.0}, 3.0, {}}));
   BOOST_TEST((file.scene.magnetic_field == MagneticField{{1.0, 2.0}, 3.0, {}}));
   BOOST_TEST((file.scene.repulsion == Repulsion{4.0, 5.0}));
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(bad_amplitudes) {
        "s.toml:4:37: flow.amplitude.period = 1: give period or frequency, not both"},
       {sheared("{ kind = 'oscillation', period = 1, offset = 1 }"),
        "s.toml:4:49: flow.amplitude.offset = 1: unknown key; valid keys: kind, mean, amplitude, "
-       "period, frequency, phase"},
+       "period, phase, frequency"},
       {"[flow]\namplitude = { kind = 'constant' }\n" + disk(),
        "s.toml:2:1: flow.amplitude: has no effect: give kind, or remove it"},
       {tank() + "amplitude = { kind = 'constant' }\n",

@@ -111,17 +111,17 @@ Body random_body(Dice& dice) {
 }
 
 Fill random_fill(Dice& dice, bool enclosed) {
-  Fill fill{.shape = random_shape(dice), .n_nodes = random_nodes(dice)};
+  Fill fill{{.shape = random_shape(dice), .n_nodes = random_nodes(dice)}};
   if (dice.coin()) fill.area_fraction = dice.uniform(0.01, 0.99);
   if (!fill.area_fraction) fill.count = dice.integer(1, 1000);
   if (!enclosed || dice.coin()) {
     fill.box = {-dice.positive(), -dice.positive(), dice.positive(), dice.positive()};
   }
   fill.clearance = dice.coin() ? dice.positive() : 0.0;
-  if (dice.coin()) fill.force = dice.vector();
-  if (dice.coin()) fill.torque = dice.number();
-  if (dice.coin()) fill.loads.trap = Trap{dice.positive(), dice.vector()};
-  fill.slip = random_slip(dice);
+  if (dice.coin()) fill.body.force = dice.vector();
+  if (dice.coin()) fill.body.torque = dice.number();
+  if (dice.coin()) fill.body.loads.trap = Trap{dice.positive(), dice.vector()};
+  fill.body.slip = random_slip(dice);
   return fill;
 }
 
@@ -155,7 +155,7 @@ void add_loads(SceneFile& file, Dice& dice) {
   for (Body& body : scene.bodies) {
     if (!body.held) add(body.loads);
   }
-  for (Fill& fill : file.fills) add(fill.loads);
+  for (Fill& fill : file.fills) add(fill.body.loads);
 }
 
 TimeSettings fixed_steps(Dice& dice) {
@@ -199,7 +199,7 @@ void add_contact(SceneFile& file, Dice& dice) {
   }
   if (!scene.contact->in_spacings) return;
   for (Body& body : scene.bodies) body.n_nodes = 2 * dice.integer(4, 200);
-  for (Fill& fill : fills) fill.n_nodes = 2 * dice.integer(4, 200);
+  for (Fill& fill : fills) fill.body.n_nodes = 2 * dice.integer(4, 200);
 }
 
 /// Chooses an end of the run for which the numbers of steps and frames are allowed.

@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(slips) {
                          "n_nodes = 8\n" +
                          squirmer)
                   .fills[0]
-                  .slip == expected));
+                  .body.slip == expected));
 }
 
 BOOST_AUTO_TEST_CASE(bodies) {
@@ -185,7 +185,8 @@ BOOST_AUTO_TEST_CASE(bodies) {
 BOOST_AUTO_TEST_CASE(fills) {
   const std::string start = "[[fill]]\nshape = { kind = 'circle', radius = 0.5 }\nn_nodes = 16\n";
   const std::string box = "region = { box = [-1, -2, 3, 4] }\n";
-  const Fill some{.shape = Circle{0.5}, .count = 5, .box{{-1.0, -2.0, 3.0, 4.0}}, .n_nodes = 16};
+  const Fill some{
+      .body{.shape = Circle{0.5}, .n_nodes = 16}, .count = 5, .box{{-1.0, -2.0, 3.0, 4.0}}};
   Fill dense = some;
   dense.count.reset();
   dense.area_fraction = 0.25;
@@ -206,9 +207,9 @@ BOOST_AUTO_TEST_CASE(fills_of_several_sizes) {
   const auto fills_of = [](const std::string& shape, const std::string& lines) {
     return parse_file(tank() + "[[fill]]\nshape = " + shape + "\nn_nodes = 16\n" + lines).fills;
   };
-  const Fill small{.shape = Ellipse{0.5, 0.25}, .n_nodes = 16};
+  const Fill small{{.shape = Ellipse{0.5, 0.25}, .n_nodes = 16}};
   Fill large = small;
-  large.shape = Ellipse{1.0, 0.5};
+  large.body.shape = Ellipse{1.0, 0.5};
   std::vector<Fill> both{small, large};
   const std::string ellipse = "{ kind = 'ellipse', semi_axes = [0.5, 0.25] }";
   // Shares are of the number of bodies: three of four bodies have 3 / (3 + 4) of the area.
@@ -223,7 +224,7 @@ BOOST_AUTO_TEST_CASE(fills_of_several_sizes) {
   BOOST_TEST((found == both));
   BOOST_TEST((fills_of("{ kind = 'star', radius = 1, amplitude = 0.1, arms = 3 }",
                        "area_fraction = 0.1\nsizes = [[2.0, 5.0]]\n")[0]
-                  .shape == Shape{Star{2.0, 0.1, 3}}));
+                  .body.shape == Shape{Star{2.0, 0.1, 3}}));
 }
 
 BOOST_AUTO_TEST_CASE(solver_settings) {
@@ -359,7 +360,7 @@ BOOST_AUTO_TEST_CASE(automatic_nodes_are_a_word) {
       "[[fill]]\nshape = { kind = 'circle', radius = 0.5 }\ncount = 2\nn_nodes = 'auto'\n");
   BOOST_TEST(scene.walls.at(0).n_nodes == automatic_nodes);
   BOOST_TEST(scene.bodies.at(0).n_nodes == automatic_nodes);
-  BOOST_TEST(fills.at(0).n_nodes == automatic_nodes);
+  BOOST_TEST(fills.at(0).body.n_nodes == automatic_nodes);
 }
 
 BOOST_AUTO_TEST_CASE(tracers) {

@@ -21,10 +21,10 @@ constexpr double pi = std::numbers::pi;
 
 Fill fill_of(const Shape& shape, double area_fraction, double clearance) {
   Fill fill;
-  fill.shape = shape;
+  fill.body.shape = shape;
   fill.area_fraction = area_fraction;
   fill.clearance = clearance;
-  fill.n_nodes = 64;
+  fill.body.n_nodes = 64;
   return fill;
 }
 

@@ -24,10 +24,10 @@ SceneFile filled_cell(std::uint64_t seed) {
   scene.walls = {{WallRole::outer, Circle{5.0}, {}, 0.0, 64, FixedWall{}},
                  {WallRole::inner, Circle{1.0}, {0.5, 0.0}, 0.0, 32, FixedWall{}}};
   Fill fill;
-  fill.shape = Ellipse{0.5, 0.25};
+  fill.body.shape = Ellipse{0.5, 0.25};
   fill.area_fraction = 0.2;
   fill.clearance = 0.05;
-  fill.n_nodes = 32;
+  fill.body.n_nodes = 32;
   return {scene, {fill}};
 }
 
@@ -53,7 +53,7 @@ std::vector<Body> placed_by_all_pairs(const SceneFile& file, const std::array<do
   std::vector<Body> placed;
   while (std::ssize(placed) < count) {
     const Complex position{uniform(box[0], box[2]), uniform(box[1], box[3])};
-    Body body = body_at(fill.shape, position, fill.n_nodes);
+    Body body = body_at(fill.body.shape, position, fill.body.n_nodes);
     body.orientation = uniform(0.0, 2.0 * std::numbers::pi);
     const SmoothCurve curve = smooth(body, Side::fluid_outside);
     const Eigen::ArrayXd x = curve.nodes.x.real(), y = curve.nodes.x.imag();
@@ -123,11 +123,11 @@ BOOST_AUTO_TEST_CASE(bodies_stay_inside_their_box_and_keep_away_from_given_bodie
   scene.seed = 5;
   scene.bodies = {body_at(Circle{1.0}, {0.0, 0.0}, 32)};
   Fill fill;
-  fill.shape = Circle{0.3};
+  fill.body.shape = Circle{0.3};
   fill.count = 25;
   fill.box = {-3.0, -2.0, 3.0, 2.0};
   fill.clearance = 0.02;
-  fill.n_nodes = 32;
+  fill.body.n_nodes = 32;
   const Scene filled = place_fills({scene, {fill}});
   BOOST_REQUIRE_EQUAL(filled.bodies.size(), 26U);
   for (std::size_t k = 1; k < filled.bodies.size(); ++k) {

@@ -21,11 +21,10 @@ Scene crowd_of(int count) {
   const double side = std::sqrt(count * std::numbers::pi * a * b / fraction);
   Scene scene;
   scene.flow = TaylorGreenFlow{1.0};
-  const Fill fill{.shape = Ellipse{a, b},
+  const Fill fill{.body = {.shape = Ellipse{a, b}, .n_nodes = 32},
                   .count = count,
                   .box = std::array{0.0, 0.0, side, side},
-                  .clearance = 0.25,
-                  .n_nodes = 32};
+                  .clearance = 0.25};
   // The tolerance is loose, so that the solver does not reject the solution on 32 nodes a body.
   scene.solver.tolerance = 0.1;
   scene.solver.gmres_tol = 1e-6;

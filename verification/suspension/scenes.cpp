@@ -116,7 +116,8 @@ Scene turning_ellipses(study::Size size, double rate) {
   scene.contact = ContactSettings{0.01};
   scene.solver.tolerance = 1e-3;
   scene.seed = 3;
-  const Fill ellipses{.shape = Ellipse{0.3, 0.12}, .count = full ? 120 : 10, .clearance = 0.02};
+  const Fill ellipses{
+      .body = {.shape = Ellipse{0.3, 0.12}}, .count = full ? 120 : 10, .clearance = 0.02};
   return place_fills({scene, {ellipses}});
 }
 

@@ -46,7 +46,7 @@ void resize(Crowd& crowd, double size) {
   for (std::size_t k = 0; k < crowd.bodies; ++k) {
     crowd.shapes[k] = crowd.shapes[k > 0 ? k - 1 : 0];
     if (k > 0 && crowd.fills[k] == crowd.fills[k - 1]) continue;
-    const Shape shape = scaled(crowd.fills[k]->shape, size);
+    const Shape shape = scaled(crowd.fills[k]->body.shape, size);
     crowd.shapes[k] = std::make_shared<const ContactShape>(
         contact_shape(shape, Side::fluid_outside, fine_sag(shape)));
   }
@@ -108,7 +108,7 @@ bool separate(Crowd& crowd) {
 
 // Adds the components of the scene and the boxes of the fills to the bodies.
 void add_surroundings(Crowd& crowd, const Scene& scene) {
-  const double sag = fine_sag(crowd.fills[0]->shape);
+  const double sag = fine_sag(crowd.fills[0]->body.shape);
   for (std::size_t k = 0; k < crowd.components; ++k) {
     const ComponentView component = component_of(scene, k);
     crowd.add(contact_shape(component.shape, side_of(component.kind), sag), component.start, {});
@@ -142,7 +142,7 @@ GrowingBodies grow_bodies(const Scene& scene, const std::vector<const Fill*>& fi
     }
   }
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    bodies[k].shape = fills[k]->shape;
+    bodies[k].shape = fills[k]->body.shape;
     bodies[k].position = crowd.poses[k].position;
     bodies[k].orientation = crowd.poses[k].orientation;
   }

@@ -164,14 +164,9 @@ std::vector<Body> insert_bodies(const Fill& fill, std::ptrdiff_t count,
     if (fill.box && !contains(box, body.curve.nodes)) continue;
     if (!obstacles.leave_room_for(body, fill.clearance)) continue;
     obstacles.add(body);
-    bodies.push_back({.shape = fill.shape,
-                      .position = position,
-                      .orientation = orientation,
-                      .force = fill.force,
-                      .torque = fill.torque,
-                      .n_nodes = fill.n_nodes,
-                      .slip = fill.slip,
-                      .loads = fill.loads});
+    Body& placed = bodies.emplace_back(fill.body);
+    placed.position = position;
+    placed.orientation = orientation;
     attempts = 0;
   }
   return bodies;
@@ -204,7 +199,7 @@ FilledScene fill_scene(const SceneFile& file) {
   std::vector<double> fractions;     // the area fraction of each fill
   for (const Fill& fill : file.fills) {
     const auto discretised =
-        discretise(fill.shape, fill.n_nodes, ComponentKind::free_body, "[[fill]]");
+        discretise(fill.body.shape, fill.body.n_nodes, ComponentKind::free_body, "[[fill]]");
     const double region_area = region_of(fill, fluid).area, body_area = area(discretised->curve);
     const long count = count_of(fill, region_area, body_area);
     fill_of.insert(fill_of.end(), static_cast<std::size_t>(count), &fill);
@@ -218,10 +213,10 @@ FilledScene fill_scene(const SceneFile& file) {
     for (const Fill& fill : file.fills) {
       const auto count = std::ranges::count(fill_of, &fill);
       Fill part = fill;
-      part.shape = scaled(fill.shape, size);
+      part.body.shape = scaled(fill.body.shape, size);
       part.clearance = size * fill.clearance;
       const auto discretised =
-          discretise(part.shape, fill.n_nodes, ComponentKind::free_body, "[[fill]]");
+          discretise(part.body.shape, fill.body.n_nodes, ComponentKind::free_body, "[[fill]]");
       const std::vector<Body> inserted =
           insert_bodies(part, count, *discretised, region_of(fill, fluid).box, random, obstacles);
       bodies.insert(bodies.end(), inserted.begin(), inserted.end());
