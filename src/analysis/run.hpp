@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "record/number_table.hpp"
+#include "record/csv.hpp"
 #include "record/run_data.hpp"
 #include "scene/scene.hpp"
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "record/run_data.hpp"
 
@@ -49,5 +51,20 @@ std::string node_rows(const Frame& frame);
 /// Writes one line.
 std::string step_row(const StepInfo& step);
 /// @}
+
+/// A table of numbers that a run has written: columns with names.
+struct NumberTable {
+  std::filesystem::path path;                ///< file, for messages
+  std::vector<std::string> names;            ///< header
+  std::vector<std::vector<double>> columns;  ///< one for each name, all of one length
+
+  /// Returns the column with a name.
+  /// @throws RecordError when the table has no such column
+  const std::vector<double>& operator[](std::string_view name) const;
+};
+
+/// Reads a table of numbers as the functions above write it.
+/// @throws RecordError when the file cannot be read, a row is not whole, or a cell is no number
+NumberTable read_table(const std::filesystem::path& path);
 
 }  // namespace stokesbook

@@ -13,7 +13,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include "record/atomic_file.hpp"
-#include "record/number_table.hpp"
+#include "record/csv.hpp"
 #include "sweep/sweep_folder.hpp"
 #include "text/number_text.hpp"
 #include "text/word_list.hpp"
