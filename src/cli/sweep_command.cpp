@@ -19,6 +19,7 @@
 #include "sweep/sweep.hpp"
 #include "sweep/sweep_folder.hpp"
 #include "sweep/task.hpp"
+#include "text/text_file.hpp"
 
 namespace stokesbook {
 
@@ -37,7 +38,8 @@ int run_task(const Sweep& sweep, const SweepOptions& options) {
   make_folder(folder.path());
   const FileLock lock = FileLock::wait_for(folder.lock());
   if (folder.state() == TaskState::done) return exit_done;
-  folder.remove_failure();
+  std::error_code ignored;
+  fs::remove(folder.failure(), ignored);
   try {
     return run_scene({.scene = sweep.scene,
                       .out = folder.path(),
@@ -47,7 +49,7 @@ int run_task(const Sweep& sweep, const SweepOptions& options) {
                       .resume = true,
                       .quiet = options.quiet});
   } catch (const std::exception& error) {
-    folder.write_failure(error.what());
+    write_atomically(folder.failure(), error.what(), SafeFrom::kill);
     throw;
   }
 }
@@ -72,13 +74,6 @@ std::vector<std::size_t> find_tasks_to_do(std::size_t count, const fs::path& out
   return tasks;
 }
 
-void report_failure(const Task& task, const TaskFolder& folder) {
-  std::string message = folder.failure();
-  if (message.empty()) message = "see " + folder.log().string();
-  std::fprintf(stderr, "stokes: %s: failed: %s\n", task.description().c_str(),
-               for_terminal(message).c_str());
-}
-
 /// Runs the tasks that are not done, and returns the number of tasks that failed.
 std::size_t run_tasks(const Sweep& sweep, const std::vector<Task>& all,
                       const SweepOptions& options) {
@@ -95,11 +90,15 @@ std::size_t run_tasks(const Sweep& sweep, const std::vector<Task>& all,
     const Task& task = *std::ranges::find(all, number, &Task::number);
     const TaskFolder folder(options.out, number);
     if (signal > 0) {
-      folder.write_failure("killed by signal " + std::to_string(signal) + ", the last of " +
-                           std::to_string(most_tries) + " tries");
+      const std::string message = "killed by signal " + std::to_string(signal) + ", the last of " +
+                                  std::to_string(most_tries) + " tries";
+      write_atomically(folder.failure(), message, SafeFrom::kill);
     }
     if (signal > 0 || folder.state() != TaskState::done) {
-      report_failure(task, folder);
+      const std::string message =
+          read_text_file(folder.failure()).value_or("see " + folder.log().string());
+      std::fprintf(stderr, "stokes: %s: failed: %s\n", task.description().c_str(),
+                   for_terminal(message).c_str());
       ++failed;
     } else if (!options.quiet) {
       std::printf("%s: done, %zu left\n", task.description().c_str(), left);

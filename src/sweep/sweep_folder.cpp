@@ -162,20 +162,7 @@ std::string TaskFolder::name(std::size_t task) {
 TaskState TaskFolder::state() const {
   if (exit_status_of(path_) == 0) return TaskState::done;
   std::error_code error;
-  return std::filesystem::exists(failure_file(), error) ? TaskState::failed : TaskState::unfinished;
-}
-
-std::string TaskFolder::failure() const {
-  return read_text_file(failure_file()).value_or("");
-}
-
-void TaskFolder::write_failure(std::string_view message) const {
-  write_atomically(failure_file(), message, SafeFrom::kill);
-}
-
-void TaskFolder::remove_failure() const {
-  std::error_code error;
-  std::filesystem::remove(failure_file(), error);
+  return std::filesystem::exists(failure(), error) ? TaskState::failed : TaskState::unfinished;
 }
 
 }  // namespace stokesbook

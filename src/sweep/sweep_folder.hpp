@@ -73,19 +73,10 @@ class TaskFolder {
   /// @throws RecordError when `run.json` is damaged
   TaskState state() const;
 
-  /// Returns the error message of the last attempt; empty if the attempt did not fail.
-  std::string failure() const;
-
-  /// Stores the error message of an attempt.
-  /// @throws RecordError when the file cannot be written
-  void write_failure(std::string_view message) const;
-
-  /// Removes the error message of the last attempt.
-  void remove_failure() const;
+  /// Returns the path of the file with the error message of the last attempt, if that failed.
+  std::filesystem::path failure() const { return path_ / "failure.txt"; }
 
  private:
-  std::filesystem::path failure_file() const { return path_ / "failure.txt"; }
-
   std::filesystem::path path_;
 };
 
