@@ -22,7 +22,6 @@ namespace stokesbook {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace scene_text;
 
 constexpr const char* changeable =
     "title, [time], [solver], [contact], output.dt_write, more output.formats and new "
@@ -100,34 +99,17 @@ void require_same(const fs::path& run, const std::string& kind, const auto& give
                 std::to_string(given.size()) + ": number, order and shapes must be the same");
 }
 
-struct TimedPoses {
-  double t;
-  Configuration poses;
-};
-
-/// Returns a written time of a run, by default the last one, and the poses of its bodies there.
-TimedPoses poses_at(const fs::path& run, std::optional<double> time) {
-  const fs::path path = run / "trajectory.csv";
-  if (!fs::exists(path)) {
-    fail(run, "has no trajectory.csv, which a run writes with the format \"csv\"");
-  }
-  const NumberTable table = read_table(path);
-  const std::vector<double>& times = table["t"];
-  if (times.empty()) fail(run, "has written no state");
+/// Returns the index of a written time of a run, by default of the last one.
+std::size_t frame_at(const Run& run, std::optional<double> time) {
+  const std::vector<double>& times = run.times();
   const double asked = time.value_or(times.back());
   const auto distance = [=](double t) { return std::abs(t - asked); };
-  const double t = *std::ranges::min_element(times, {}, distance);
-  if (std::abs(t - asked) > 1e-9 * std::abs(asked)) {  // beyond the rounding of a given time
-    fail(run, "has not written t = " + number_text(asked) + "; the nearest written time is " +
-                  number_text(t));
+  const auto nearest = std::ranges::min_element(times, {}, distance);
+  if (distance(*nearest) > 1e-9 * std::abs(asked)) {  // beyond the rounding of a given time
+    fail(run.path, "has not written t = " + number_text(asked) + "; the nearest written time is " +
+                       number_text(*nearest));
   }
-  TimedPoses found{t, {}};
-  for (std::size_t row = 0; row < times.size(); ++row) {
-    if (times[row] != t) continue;
-    const BodyState body = body_state(table, row);
-    found.poses.push_back({body.position, body.orientation});
-  }
-  return found;
+  return static_cast<std::size_t>(nearest - times.begin());
 }
 
 /// Returns whether a wall looks as at the start of its run.
@@ -176,32 +158,33 @@ Continuation find_continuation(const fs::path& out, const Scene& scene, const st
           .keys = joined(changes, ", ", &Change::description)};
 }
 
-Scene start_from(Scene scene, const fs::path& run, std::optional<double> time) {
-  const Scene before = read_scene(run / "scene.toml").scene;
-  require_same(run, "bodies", scene.bodies, before.bodies);
-  require_same(run, "walls", scene.walls, before.walls);
-  const auto [t, bodies] = poses_at(run, time);
-  if (bodies.size() != scene.bodies.size()) fail(run, "has not written the whole state");
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
+Scene start_from(Scene scene, const fs::path& path, std::optional<double> time) {
+  const Run run = read_run(path);
+  const std::size_t bodies = run.scene.bodies.size();
+  require_same(path, "bodies", scene.bodies, run.scene.bodies);
+  require_same(path, "walls", scene.walls, run.scene.walls);
+  const std::size_t frame = frame_at(run, time);
+  for (std::size_t k = 0; k < bodies; ++k) {
     Body& body = scene.bodies[k];
     // A trap without a centre holds a body at its start in the scene, not where the run has ended.
     if (body.loads.trap && !body.loads.trap->centre) body.loads.trap->centre = body.position;
-    body.position = bodies[k].position;
-    body.orientation = bodies[k].orientation;
+    const BodyState state = body_state(run.bodies, frame * bodies + k);
+    body.position = state.position;
+    body.orientation = state.orientation;
   }
   if (scene.walls.empty()) return scene;
-  const Checkpoint last = read_saved_run(run / "checkpoint").checkpoint;
-  const auto components = static_cast<Eigen::Index>(bodies.size() + scene.walls.size());
+  const Checkpoint last = read_saved_run(path / "checkpoint").checkpoint;
+  const auto components = static_cast<Eigen::Index>(bodies + scene.walls.size());
   const Configuration poses = to_configuration(last.state.head(3 * components));  // no tracers
   for (std::size_t k = 0; k < scene.walls.size(); ++k) {
-    const auto& [position, orientation] = poses.at(bodies.size() + k);
-    if (last.t != t && !is_unmoved(before.walls[k], {position, orientation})) {
-      fail(run, "walls[" + std::to_string(k) +
-                    "] has moved, and its place is known only at the last state, t = " +
-                    number_text(last.t));
+    const Pose& pose = poses.at(bodies + k);
+    if (last.t != run.times()[frame] && !is_unmoved(run.scene.walls[k], pose)) {
+      fail(path, "walls[" + std::to_string(k) +
+                     "] has moved, and its place is known only at the last state, t = " +
+                     number_text(last.t));
     }
-    scene.walls[k].position = position;
-    scene.walls[k].orientation = orientation;
+    scene.walls[k].position = pose.position;
+    scene.walls[k].orientation = pose.orientation;
   }
   return scene;
 }

@@ -28,10 +28,11 @@ Continuation find_continuation(const std::filesystem::path& out, const Scene& sc
 
 /// Places the bodies and walls of a scene where another run has written them; all else is kept.
 ///
-/// @param  run   folder of a run with trajectory.csv
+/// @param  path  folder of a run with tables
 /// @param  time  a written time of the run; none: the last one
 /// @throws SceneError when the run has other bodies or walls, or has not written the state
-/// @throws RecordError when the checkpoint of a run with walls cannot be read
-Scene start_from(Scene scene, const std::filesystem::path& run, std::optional<double> time);
+/// @throws RecordError as read_run() does, and when the checkpoint of a run with walls cannot be
+///         read
+Scene start_from(Scene scene, const std::filesystem::path& path, std::optional<double> time);
 
 }  // namespace stokesbook

@@ -324,15 +324,16 @@ class Starts(GoingOn):
         self.run_scene("a", PAIR)
         self.run_scene("tableless", PAIR + 'formats = ["vtk"]\n')
         for text, arguments, message in (
-                (PAIR, ("--from", "none"), "none/scene.toml: the file does not exist"),
                 (PAIR, ("--from", "a", "--time", 0.3), "--from a: has not written t = 0.3; the nearest written "
                  "time is 0.2"),
-                (PAIR, ("--from", "tableless"), "--from tableless: has no trajectory.csv"),
                 (PAIR.replace("0.6]", "0.5]"), ("--from", "a"), "--from a: has 2 bodies, and the scene 2: number, "
                  "order and shapes must be the same"),
                 (CELL, ("--from", "a"), "--from a: has 2 bodies, and the scene 1"),
                 (PAIR, ("--time", 0.3), "--time requires --from")):
             self.assertIn(message, self.run_scene("b", text, *arguments, code=1).stderr)
+        for folder in ("none", "tableless"):
+            self.assertIn(folder + ": must be the folder of a run whose output.formats contain",
+                          self.run_scene("b", PAIR, "--from", folder, code=3).stderr)
         self.assertFalse((self.folder / "b").exists())
 
 
