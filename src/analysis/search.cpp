@@ -3,6 +3,7 @@
 #include "analysis/search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -17,29 +18,27 @@ namespace stokesbook {
 
 namespace {
 
-/// A method, whether it adapts its steps, and its order.
-struct Candidate {
-  SteppingMethod method;
-  bool adaptive;
-  int order;
-};
-
 /// Returns the methods for a scene, the one of the reference first, those that rarely win last.
-std::vector<Candidate> candidates_of(const Scene& scene) {
+std::vector<Settings> methods_of(const Scene& scene) {
   using enum SteppingMethod;
-  if (scene.contact) return {{heun, true, 2}, {heun, false, 2}, {euler, false, 1}};
-  return {{dormand_prince54, true, 5},
-          {bogacki_shampine32, true, 3},
-          {adams_bashforth2, false, 2},
-          {rk4, false, 4},
-          {prince_dormand87, true, 8},
-          {heun, false, 2},
-          {euler, false, 1}};
+  if (scene.contact) return {{heun, true}, {heun, false}, {euler, false}};
+  return {{dormand_prince54, true},
+          {bogacki_shampine32, true},
+          {adams_bashforth2, false},
+          {rk4, false},
+          {prince_dormand87, true},
+          {heun, false},
+          {euler, false}};
 }
 
-std::string name_of(const Candidate& candidate) {
-  return std::string(scene_text::name_of(candidate.method, scene_text::stepping_methods)) +
-         (candidate.adaptive ? ", adapted steps" : ", fixed steps");
+double order_of(SteppingMethod method) {
+  constexpr std::array orders{1.0, 2.0, 2.0, 4.0, 3.0, 5.0, 8.0};  // in the order of the methods
+  return orders[static_cast<std::size_t>(method)];
+}
+
+std::string name_of(const Settings& settings) {
+  return std::string(scene_text::name_of(settings.method, scene_text::stepping_methods)) +
+         (settings.adaptive ? ", adapted steps" : ", fixed steps");
 }
 
 /// Rounds to two digits, which suffice for a tolerance and can be read in a scene.
@@ -53,28 +52,24 @@ class Searcher {
       : scene_(std::move(scene)), request_(request), run_(run) {}
 
   Search find() {
-    const std::vector<Candidate> candidates = candidates_of(scene_);
-    if (!find_reference(candidates.front())) return search_;
-    for (const Candidate& candidate : candidates) tune(candidate, first_settings(candidate));
+    const std::vector<Settings> methods = methods_of(scene_);
+    if (!find_reference(methods.front().method)) return search_;
+    for (const Settings& method : methods) tune(first_settings(method), name_of(method));
     if (!search_.best) {
       search_.failure = "no run within the budget has the accuracy";
       return search_;
     }
-    const Candidate chosen = *std::ranges::find_if(candidates, [&](const Candidate& candidate) {
-      return candidate.method == best().settings.method &&
-             candidate.adaptive == best().settings.adaptive;
-    });
-    vary_solver_tolerance(chosen);
+    vary_solver_tolerance();
     vary_nodes();
-    tune(chosen, best().settings, "all together", best());
+    tune(best().settings, "all together", best());
     return search_;
   }
 
  private:
   /// Returns the step that a method takes when it is asked for one: tolerances are rounded and at
   /// most 0.1; fixed steps end at the written times, which shortens them.
-  double possible_step(const Candidate& candidate, double step) const {
-    if (candidate.adaptive) return std::min(0.1, rounded(step));
+  double possible_step(const Settings& method, double step) const {
+    if (method.adaptive) return std::min(0.1, rounded(step));
     const double dt_write = *scene_.output.dt_write;
     return dt_write / std::max(1.0, std::ceil(dt_write / step - 1e-9));
   }
@@ -137,9 +132,9 @@ class Searcher {
     return add(line, settings, run(settings, std::min(left, 1.0 + 3.0 * least_seconds())));
   }
 
-  bool find_reference(const Candidate& candidate) {
+  bool find_reference(SteppingMethod method) {
     constexpr double least_tolerance = 1e-12;
-    Settings settings{candidate.method, true, 0.1 * request_.accuracy, 0.01 * request_.accuracy};
+    Settings settings{method, true, 0.1 * request_.accuracy, 0.01 * request_.accuracy};
     std::vector<std::pair<Settings, Outcome>> references;
     while (settings.solver >= least_tolerance && search_.failure.empty()) {
       const double left = 0.5 * request_.budget - search_.seconds;
@@ -149,7 +144,7 @@ class Searcher {
         search_.reference_error = error_of(compare(*references.back().second.run, *finer.run));
         if (search_.reference_error <= 0.05 * request_.accuracy) {
           reference_ = std::move(finer.run);
-          for (const auto& [used, outcome] : references) add(name_of(candidate), used, outcome);
+          for (const auto& [used, outcome] : references) add(name_of(used), used, outcome);
           return true;
         }
       }
@@ -167,11 +162,11 @@ class Searcher {
 
   /// Returns settings for the first run of a method: the accuracy as tolerance, or as many steps as
   /// the best run has taken so far.
-  Settings first_settings(const Candidate& candidate) const {
+  Settings first_settings(const Settings& method) const {
     const Trial& known = search_.best ? best() : search_.trials.front();
     const double dt = scene_.time->t_final / static_cast<double>(known.steps);
-    return {candidate.method, candidate.adaptive,
-            possible_step(candidate, candidate.adaptive ? request_.accuracy : dt),
+    return {method.method, method.adaptive,
+            possible_step(method, method.adaptive ? request_.accuracy : dt),
             0.01 * request_.accuracy};
   }
 
@@ -179,12 +174,10 @@ class Searcher {
   /// \f$ e(s) \sim s^q \f$, q by the last two runs or the method, the step after s is
   /// \f$ s\,(0.6\,a/e)^{1/q} \f$.
   /// @param  known  trial with the settings, if there is one
-  void tune(const Candidate& candidate, Settings settings, std::string line = {},
-            std::optional<Trial> known = {}) {
+  void tune(Settings settings, const std::string& line, std::optional<Trial> known = {}) {
     constexpr int most_runs = 5;
     const double accuracy = request_.accuracy;
-    const double law = candidate.adaptive ? 1.0 : candidate.order;
-    if (line.empty()) line = name_of(candidate);
+    const double order = order_of(settings.method), law = settings.adaptive ? 1.0 : order;
     std::optional<Trial> before;
     for (int k = 0; k < most_runs; ++k) {
       const std::optional<Trial> now = k == 0 && known ? known : try_run(line, settings);
@@ -198,24 +191,22 @@ class Searcher {
       const double error = std::max(now->error, 1e-3 * accuracy);
       const double factor =
           std::isnan(now->error) ? 0.25 : std::pow(0.6 * accuracy / error, 1.0 / q);
-      const double next = possible_step(candidate, settings.step * factor);
-      const double steps =
-          std::pow(settings.step / next, candidate.adaptive ? 1.0 / candidate.order : 1.0);
+      const double next = possible_step(settings, settings.step * factor);
+      const double steps = std::pow(settings.step / next, law / order);
       if (next == settings.step || now->seconds * steps > noise + 2.0 * least_seconds()) return;
       settings.step = next;
       if (!std::isnan(now->error)) before = now;
     }
   }
 
-  void vary_solver_tolerance(const Candidate& candidate) {
+  void vary_solver_tolerance() {
     constexpr double most_tolerance = 0.1;
     Settings all = best().settings;
     Settings finer = all;
-    finer.step = possible_step(
-        candidate, all.step * std::pow(0.1, candidate.adaptive ? 1.0 : 1.0 / candidate.order));
-    const double most = candidate.adaptive
-                            ? std::min(most_tolerance, most_solver_over_step * finer.step)
-                            : most_tolerance;
+    const double law = all.adaptive ? 1.0 : order_of(all.method);
+    finer.step = possible_step(all, all.step * std::pow(0.1, 1.0 / law));
+    const double most = all.adaptive ? std::min(most_tolerance, most_solver_over_step * finer.step)
+                                     : most_tolerance;
     for (finer.solver = rounded(10.0 * all.solver); finer.solver <= most;
          finer.solver = rounded(10.0 * finer.solver)) {
       const auto trial = try_run("solver.tolerance, smaller steps", finer);
