@@ -1,102 +1,72 @@
-// Writes and reads the file `checkpoint` of a run: names, counts and hexadecimal floats as words of
-// a text, with a checksum at the end.
+// Writes and reads the file `checkpoint` of a run: a line of JSON between a line with the version of
+// the format and a line with a checksum.
 #include "record/checkpoint.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string_view>
+
+#include <nlohmann/json.hpp>
 
 #include "record/atomic_file.hpp"
 #include "text/fingerprint.hpp"
 #include "text/number_text.hpp"
-#include "text/word_list.hpp"
 
 namespace stokesbook {
 
 namespace {
 
+using nlohmann::json;
+
 // The version number must rise with every change of the contents, including those of the history.
-const std::string magic = "stokesbook checkpoint 3\n";
+const std::string magic = "stokesbook checkpoint 4\n";
 
 std::string checksum_line(std::string_view body) {
   return "checksum " + fingerprint(body) + '\n';
 }
 
-std::string count_line(const std::string& name, auto count) {
-  return name + ' ' + std::to_string(count) + '\n';
+/// Returns a JSON array. JSON has no infinities: they become texts, "inf".
+json to_json(const auto& numbers) {
+  json list = json::array();
+  for (const double x : numbers) list.push_back(std::isfinite(x) ? json(x) : json(number_text(x)));
+  return list;
 }
 
-std::string number_line(double x) {
-  return number_text(x, std::chars_format::hex) + '\n';
+std::vector<double> numbers_in(const json& list) {
+  std::vector<double> numbers;
+  for (const json& x : list) {
+    numbers.push_back(x.is_string() ? parse_number<double>(x.get<std::string>()).value()
+                                    : x.get<double>());
+  }
+  return numbers;
 }
 
-std::string number_lines(const std::string& name, const auto& numbers) {
-  return count_line(name, numbers.size()) + joined(numbers, "", number_line);
+Eigen::VectorXd vector_in(const json& list) {
+  const std::vector<double> numbers = numbers_in(list);
+  return Eigen::VectorXd::Map(numbers.data(), std::ssize(numbers));
 }
 
-/// Reads words and numbers from a text, one after another.
-class WordReader {
- public:
-  explicit WordReader(std::string_view text) : rest_(text) {}
-
-  /// Reads a word, which may be empty, up to a blank or the end of the line.
-  std::string word() {
-    const std::string_view found = rest_.substr(0, rest_.find_first_of(" \n"));
-    rest_.remove_prefix(std::min(found.size() + 1, rest_.size()));
-    return std::string(found);
-  }
-
-  /// Skips a word that the format prescribes here; any other word is an error.
-  WordReader& after(const std::string& expected) {
-    const std::string found = word();
-    if (found == expected) return *this;
-    throw std::invalid_argument("'" + expected + "' expected, '" + found + "' found");
-  }
-
-  /// Reads a number; floating-point numbers have a format.
-  template <class Number>
-  Number number(auto... format) {
-    const std::string text = word();
-    if (const auto value = parse_number<Number>(text, format...)) return *value;
-    throw std::invalid_argument("'" + text + "' is not a number");
-  }
-
-  std::size_t count() { return number<std::size_t>(); }
-
-  double real() { return number<double>(std::chars_format::hex); }
-
-  /// Reads a count n, then n numbers.
-  std::vector<double> reals() {
-    std::vector<double> values;
-    for (std::size_t left = count(); left > 0; --left) values.push_back(real());
-    return values;
-  }
-
-  Eigen::VectorXd vector() {
-    const std::vector<double> values = reals();
-    return Eigen::VectorXd::Map(values.data(), std::ssize(values));
-  }
-
- private:
-  std::string_view rest_;
-};
+/// Returns a count; a conversion would also accept negative numbers and fractions.
+std::uintmax_t count_in(const json& number) {
+  if (number.is_number_unsigned()) return number.get<std::uintmax_t>();
+  throw std::invalid_argument("'" + number.dump() + "' is not a count");
+}
 
 SavedRun parse(std::string_view text) {
-  WordReader reader(text);
+  const json data = json::parse(text);
   SavedRun saved;
-  saved.scene = reader.after("scene").word();
-  saved.program = reader.after("program").word();
-  saved.checkpoint.t = reader.after("t").real();
-  saved.checkpoint.step = reader.after("step").number<long long>();
-  for (std::size_t left = reader.after("tables").count(); left > 0; --left) {
-    const std::string name = reader.word();
-    saved.table_sizes[name] = reader.number<std::uintmax_t>();
+  data.at("scene").get_to(saved.scene);
+  data.at("program").get_to(saved.program);
+  data.at("t").get_to(saved.checkpoint.t);
+  saved.checkpoint.step = static_cast<long long>(count_in(data.at("step")));
+  for (const auto& [name, size] : data.at("tables").items()) {
+    saved.table_sizes[name] = count_in(size);
   }
-  saved.frame_times = reader.after("frames").reals();
-  saved.checkpoint.state = reader.after("state").vector();
-  for (std::size_t left = reader.after("history").count(); left > 0; --left) {
-    const std::string name = reader.word();
-    saved.checkpoint.history[name] = reader.vector();
+  saved.frame_times = numbers_in(data.at("frames"));
+  saved.checkpoint.state = vector_in(data.at("state"));
+  for (const auto& [name, numbers] : data.at("history").items()) {
+    saved.checkpoint.history[name] = vector_in(numbers);
   }
   return saved;
 }
@@ -105,18 +75,16 @@ SavedRun parse(std::string_view text) {
 
 std::string to_text(const SavedRun& saved) {
   const auto& [t, step, state, history] = saved.checkpoint;
-  std::string text = magic + "scene " + saved.scene + "\nprogram " + saved.program + "\nt " +
-                     number_line(t) + count_line("step", step) +
-                     count_line("tables", saved.table_sizes.size());
-  for (const auto& [name, size] : saved.table_sizes) text += count_line(name, size);
-  text += number_lines("frames", saved.frame_times) + number_lines("state", state) +
-          count_line("history", history.size());
-  for (const auto& [name, numbers] : history) {
-    if (name.empty() || name.find_first_of(" \n") != std::string::npos) {
-      throw std::invalid_argument("checkpoint: the history's name '" + name + "' is not one word");
-    }
-    text += number_lines(name, numbers);
-  }
+  json data{{"scene", saved.scene},
+            {"program", saved.program},
+            {"t", t},
+            {"step", step},
+            {"tables", saved.table_sizes},
+            {"frames", to_json(saved.frame_times)},
+            {"state", to_json(state)},
+            {"history", json::object()}};
+  for (const auto& [name, numbers] : history) data["history"][name] = to_json(numbers);
+  const std::string text = magic + data.dump() + '\n';
   return text + checksum_line(text);
 }
 
@@ -130,8 +98,8 @@ SavedRun read_saved_run(const std::filesystem::path& path) {
     throw RecordError(path, "is damaged or cut short (its checksum does not fit)");
   }
   try {
-    return parse(std::string_view(text).substr(magic.size()));
-  } catch (const std::invalid_argument& error) {
+    return parse(std::string_view(text).substr(0, body).substr(magic.size()));
+  } catch (const std::exception& error) {
     throw RecordError(path, error.what());
   }
 }

@@ -15,8 +15,8 @@ struct Checkpoint {
   double t = 0.0;         ///< time reached; beginning of the step if a step is to be repeated
   long long step = 0;     ///< number of completed steps
   Eigen::VectorXd state;  ///< unknowns that the solver advances, in its own order
-  /// Data from earlier times that the next steps require, by name (one word each), such as earlier
-  /// rates, the length of the next step and the last written time.
+  /// Data from earlier times that the next steps require, by name, such as earlier rates, the
+  /// length of the next step and the last written time.
   std::map<std::string, Eigen::VectorXd> history;
 };
 
@@ -29,9 +29,8 @@ struct SavedRun {
   Checkpoint checkpoint;                              ///< data from which the solver continues
 };
 
-/// Writes a saved run as the text of a file `checkpoint`. Numbers are hexadecimal floats, hence
-/// exact; the last line is the fingerprint of all text before it.
-/// @throws std::invalid_argument when a name of the history is not one word
+/// Writes a saved run as the text of a file `checkpoint`: JSON, with numbers that restore the values
+/// exactly. The last line is the fingerprint of all text before it.
 std::string to_text(const SavedRun& saved);
 
 /// Reads a saved run from a file with the text of to_text(); all numbers are restored bit for bit.

@@ -91,7 +91,6 @@ class RunDirectory {
   void write_step(const StepInfo& step);
 
   /// Adds everything written so far to the files, waits for the disk, and stores the checkpoint.
-  /// @throws std::invalid_argument when a name of the history is not one word
   /// @throws RecordError when the disk refuses the data; the last checkpoint then stays
   /// @par Cost  a wait for the disk, some milliseconds, for each table and each other file written
   ///            since the last call
