@@ -25,15 +25,15 @@ namespace {
 
 // The test of the side of one component on which a point lies.
 struct SideTest {
-  Barycentric barycentric;  // in the component's frame, like the side and the reach
-  Side side;
-  double reach;
-  Complex position, turn;  // the point x lies at (x - position) turn in this frame
+  std::size_t component;
+  Complex position, turn;
+  double sign, reach;       // points farther away than the reach are not covered
+  Barycentric barycentric;  // in the component's frame
 
-  bool has_fluid_at(Complex point) const {
-    const Complex local = (point - position) * turn;
-    if (std::abs(local) > reach) return side == Side::fluid_outside;
-    return barycentric.side(local) > 0.5;
+  // Returns whether the component covers a point that is moved towards the fluid first.
+  bool covers(Complex point, double part) const {
+    const Complex arm = (1.0 - sign * part) * (point - position);
+    return std::abs(arm) <= reach && !(barycentric.side(arm * turn) > 0.5);
   }
 };
 
@@ -85,31 +85,43 @@ FieldGrid field_grid(const FieldSettings& settings) {
           static_cast<Index>(size.imag()) + 1};
 }
 
-std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
-                                   const Discretisation& discretisation,
-                                   const ComplexVector& points) {
+std::vector<std::optional<std::size_t>> covering_components(const Configuration& configuration,
+                                                            const Discretisation& discretisation,
+                                                            const ComplexVector& points,
+                                                            double part) {
   std::vector<SideTest> enclosing, others;
   std::vector<Rectangle> rectangles;  // squares about the others
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const Curve& curve = discretisation[k]->curve;
     const auto [position, orientation] = configuration[k];
-    const double reach = outer_radius(curve, 0.0);
     const Complex turn = std::polar(1.0, -orientation);
     const bool encloses = curve.side == Side::fluid_inside;
+    const double reach =
+        encloses ? std::numeric_limits<double>::infinity() : outer_radius(curve, 0.0);
     (encloses ? enclosing : others)
-        .push_back({Barycentric(curve), curve.side, reach, position, turn});
+        .push_back({k, position, turn, curve.sign(), reach, Barycentric(curve)});
     if (!encloses) rectangles.push_back(square_about(position, reach));
   }
   const RectangleIndex index(rectangles);
-  std::vector<std::uint8_t> result(static_cast<std::size_t>(points.size()));
+  std::vector<std::optional<std::size_t>> covering(static_cast<std::size_t>(points.size()));
 #pragma omp parallel for schedule(dynamic, 256)
   for (Index i = 0; i < points.size(); ++i) {
     const Complex point = points[i];
-    const auto has_fluid = [&](const SideTest& test) { return test.has_fluid_at(point); };
-    const bool fluid = std::ranges::all_of(enclosing, has_fluid) &&
-                       std::ranges::all_of(index.meeting({point, point}),
-                                           [&](std::size_t k) { return has_fluid(others[k]); });
-    result[static_cast<std::size_t>(i)] = fluid ? 1 : 0;
+    const auto test = [&](const SideTest& side) {
+      if (side.covers(point, part)) covering[static_cast<std::size_t>(i)] = side.component;
+    };
+    for (const SideTest& side : enclosing) test(side);
+    for (const std::size_t k : index.meeting({point, point})) test(others[k]);
+  }
+  return covering;
+}
+
+std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
+                                   const Discretisation& discretisation,
+                                   const ComplexVector& points) {
+  std::vector<std::uint8_t> result;
+  for (const auto& component : covering_components(configuration, discretisation, points)) {
+    result.push_back(component ? 0 : 1);
   }
   return result;
 }

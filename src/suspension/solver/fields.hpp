@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,22 @@ namespace stokesbook {
 /// grid is centred in the box.
 FieldGrid field_grid(const FieldSettings& settings);
 
-/// Finds the points that lie in the fluid, outside all bodies and inner walls, and inside the
-/// enclosing wall, by Barycentric::side().
+/// Finds the component that covers each point: a body or inner wall about the point, or an
+/// enclosing wall with the point outside; by Barycentric::side().
 ///
-/// @return        one per point: 1 in the fluid, otherwise 0
+/// @param  part   points are first moved towards the fluid, by this part of their distance from the
+///                position of the component
+/// @return        one per point: a component that covers the point; none in the fluid
 /// @par Accuracy  if shapes are resolved, points farther from the boundary than 1e-12 of a
 /// component's size are assigned correctly, also between nodes: @ref claim_06_25
 /// @par Cost      a search in a RectangleIndex per point, O(N) for a point inside a bounding circle
+std::vector<std::optional<std::size_t>> covering_components(const Configuration& configuration,
+                                                            const Discretisation& discretisation,
+                                                            const ComplexVector& points,
+                                                            double part = 0.0);
+
+/// Returns 1 for each point in the fluid, and 0 for each point that covering_components() assigns
+/// to a component.
 std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
                                    const Discretisation& discretisation,
                                    const ComplexVector& points);

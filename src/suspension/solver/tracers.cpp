@@ -1,14 +1,9 @@
 // Advects passive points with the fluid: extends the state of a run and its rate (chapter 12).
 #include "suspension/solver/tracers.hpp"
 
-#include <algorithm>
-#include <iterator>
-#include <limits>
-#include <optional>
-
 #include "double_layer/double_layer.hpp"
-#include "near_singular/barycentric.hpp"
 #include "suspension/bodies/components.hpp"
+#include "suspension/solver/fields.hpp"
 
 namespace stokesbook {
 
@@ -28,50 +23,19 @@ VectorXd appended(const VectorXd& components, const ComplexVector& tracers) {
   return state;
 }
 
-// Finds the components that cover points, by the divisor of the barycentric formula (06.15).
-class Cover {
- public:
-  Cover(const SuspensionSolver& solver, const Configuration& configuration)
-      : configuration_(configuration) {
-    for (const auto& discretised : solver.discretisation()) {
-      const Curve& curve = discretised->curve;
-      const bool encloses = curve.side == Side::fluid_inside;
-      radii_.push_back(encloses ? infinite : outer_radius(curve, 0.0));
-      signs_.push_back(curve.sign());
-      sides_.emplace_back(curve);
-    }
-  }
-
-  // Returns the component that covers a point; none if the point lies in the fluid. The point is
-  // first moved towards the fluid, by a part of its distance from the component's position.
-  std::optional<std::size_t> component_at(Complex point, double part = 0.0) const {
-    for (std::size_t k = 0; k < configuration_.size(); ++k) {
-      const auto [position, orientation] = configuration_[k];
-      const Complex arm = (1.0 - signs_[k] * part) * (point - position);
-      if (std::abs(arm) > radii_[k]) continue;
-      if (!(sides_[k].side(arm * std::polar(1.0, -orientation)) > 0.5)) return k;
-    }
-    return {};
-  }
-
- private:
-  static constexpr double infinite = std::numeric_limits<double>::infinity();
-  const Configuration& configuration_;
-  std::vector<double> radii_, signs_;
-  std::vector<Barycentric> sides_;
-};
-
 }  // namespace
 
 VectorXd initial_state(const SuspensionSolver& solver) {
   const Configuration start = solver.start().configuration;
-  const std::vector<Complex>& given = solver.scene().tracers;
-  if (given.empty()) return to_state(start);
-  const Cover cover(solver, start);
-  std::vector<Complex> kept;
-  std::ranges::copy_if(given, std::back_inserter(kept),
-                       [&](Complex point) { return !cover.component_at(point); });
-  return appended(to_state(start), Eigen::Map<const ComplexVector>(kept.data(), std::ssize(kept)));
+  const std::vector<Complex>& tracers = solver.scene().tracers;
+  if (tracers.empty()) return to_state(start);
+  const Eigen::Map<const ComplexVector> given(tracers.data(), std::ssize(tracers));
+  const auto covering = covering_components(start, solver.discretisation(), given);
+  std::vector<Index> kept;
+  for (Index i = 0; i < given.size(); ++i) {
+    if (!covering[static_cast<std::size_t>(i)]) kept.push_back(i);
+  }
+  return appended(to_state(start), given(kept));
 }
 
 Configuration configuration_of(const SuspensionSolver& solver, const VectorXd& state) {
@@ -92,12 +56,12 @@ VectorXd with_tracers(const SuspensionSolver& solver, const VectorXd& velocities
                       const Solution& solution, const VectorXd& state) {
   if (state.size() == velocities.size()) return velocities;
   const Configuration& configuration = solution.instant.configuration;
-  const Cover cover(solver, configuration);
   const ComplexVector tracers = tracers_of(solver, state);
+  const auto covering = covering_components(configuration, solver.discretisation(), tracers);
   ComplexVector velocity(tracers.size());
   std::vector<Index> fluid;
   for (Index i = 0; i < tracers.size(); ++i) {
-    if (const auto k = cover.component_at(tracers[i])) {
+    if (const auto k = covering[static_cast<std::size_t>(i)]) {
       // Errors have taken the tracer a little way in: the velocity is continuous there.
       const auto& [u, omega] = solution.motions[*k];
       velocity[i] = u + imaginary * omega * (tracers[i] - configuration[*k].position);
@@ -120,9 +84,10 @@ Configuration admitted_configuration(const SuspensionSolver& solver, double t,
   Configuration configuration = configuration_of(solver, state);
   const ComplexVector tracers = tracers_of(solver, state);
   if (tracers.size() == 0) return configuration;
-  const Cover cover(solver, configuration);
-  for (Index i = 0; i < tracers.size(); ++i) {
-    const auto k = cover.component_at(tracers[i], accepted_part);
+  const auto covering =
+      covering_components(configuration, solver.discretisation(), tracers, accepted_part);
+  for (std::size_t i = 0; i < covering.size(); ++i) {
+    const auto k = covering[i];
     if (!k || component_of(solver.scene(), *k).body == nullptr) continue;
     throw ConfigurationError(at_time(t) + "tracer " + std::to_string(i) + " enters " +
                              component_of(solver.scene(), *k).name() + ": take smaller steps");
