@@ -38,12 +38,13 @@ BOOST_AUTO_TEST_SUITE(matrices)
 
 // In the middle of a circular container of radius b, a disk of radius a has the mobilities
 // [log(b / a) - (b^2 - a^2) / (b^2 + a^2)] / (4 pi mu) and (1 / a^2 - 1 / b^2) / (4 pi mu). Loads,
-// motions and the container's own motion in the scene have no effect.
+// motions, the slip of the disk and the container's own motion in the scene have no effect.
 BOOST_AUTO_TEST_CASE(disk_in_a_container) {
   const double a = 0.8, b = 2.0, mu = 1.3, a2 = a * a, b2 = b * b;
   Scene one = scene({body(Circle{a}, 64, {}, 0.4, {{3.0, 1.0}, -2.0})}, {},
                     {outer_wall(Circle{b}, 96, RotatingWall{0.7})});
   one.viscosity = mu;
+  one.bodies[0].slip = Squirmer{{0.5}};
   const double along = std::log(b / a) - (b2 - a2) / (b2 + a2);
   const MatrixXd exact =
       Eigen::Vector3d(along, along, 1.0 / a2 - 1.0 / b2).asDiagonal().toDenseMatrix() /

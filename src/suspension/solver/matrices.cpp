@@ -18,30 +18,6 @@ namespace {
 using Names = std::array<const char*, 3>;
 constexpr Names motion_names{"ux", "uy", "omega"}, load_names{"fx", "fy", "torque"};
 
-// Returns the same components without anything that moves them.
-Scene at_rest(const Scene& scene) {
-  Scene rest;
-  rest.viscosity = scene.viscosity;
-  rest.gauge_length = scene.gauge_length;
-  rest.solver = scene.solver;
-  for (const Wall& wall : scene.walls) {
-    rest.walls.push_back({wall.role, wall.shape, wall.position, wall.orientation, wall.n_nodes});
-  }
-  for (const Body& body : scene.bodies) {
-    rest.bodies.push_back({.shape = body.shape,
-                           .position = body.position,
-                           .orientation = body.orientation,
-                           .held = body.held,
-                           .n_nodes = body.n_nodes});
-  }
-  return rest;
-}
-
-Solution solve_start(const Scene& scene) {
-  const SuspensionSolver solver(scene);
-  return solver.solve(solver.start());
-}
-
 // Divides each entry by the roots of the diagonal entries of its row and column.
 MatrixXd scaled(const MatrixXd& matrix) {
   const VectorXd unit = matrix.diagonal().cwiseSqrt().cwiseInverse();
@@ -71,39 +47,53 @@ std::string table(const MatrixXd& matrix, const std::vector<std::size_t>& bodies
 }  // namespace
 
 HydrodynamicMatrices hydrodynamic_matrices(const Scene& scene) {
-  const Scene rest = at_rest(scene);
-  Scene all_held = rest;
   std::vector<std::size_t> free;
-  for (std::size_t k = 0; k < rest.bodies.size(); ++k) {
-    if (!rest.bodies[k].held) free.push_back(k);
-    all_held.bodies[k].held = true;
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    if (!scene.bodies[k].held) free.push_back(k);
   }
   if (free.empty()) {
     throw SolverError(
         "the matrices belong to free bodies, and the scene has none: set held = "
         "false for at least one body");
   }
-  if (free.size() == rest.bodies.size() && rest.walls.empty() && !rest.gauge_length) {
+  if (free.size() == scene.bodies.size() && scene.walls.empty() && !scene.gauge_length) {
     throw SolverError(
         "a mobility matrix requires forces that do not balance, which cause infinite velocities in "
         "an unbounded fluid (Stokes' paradox): give flow.gauge_length, a wall or a held body");
   }
   const auto size = static_cast<Index>(3 * free.size());
   HydrodynamicMatrices matrices{MatrixXd(size, size), MatrixXd(size, size), free};
-  for (Index j = 0; j < size; ++j) {
-    const std::size_t loaded = free[static_cast<std::size_t>(j / 3)];
-    const Complex direction = j % 3 == 0 ? 1.0 : j % 3 == 1 ? imaginary : 0.0;
-    const double turn = j % 3 == 2 ? 1.0 : 0.0;
-    Scene mobility = rest, resistance = all_held;
-    mobility.bodies[loaded].force = resistance.bodies[loaded].velocity = direction;
-    mobility.bodies[loaded].torque = resistance.bodies[loaded].omega = turn;
-    const Solution moving = solve_start(mobility), loading = solve_start(resistance);
-    for (Index k = 0; k < std::ssize(free); ++k) {
-      const std::size_t body = free[static_cast<std::size_t>(k)];
-      const auto& [velocity, omega] = moving.motions[body];
-      const auto& [force, torque] = loading.loads[body];
-      matrices.mobility.col(j).segment<3>(3 * k) << velocity.real(), velocity.imag(), omega;
-      matrices.resistance.col(j).segment<3>(3 * k) << force.real(), force.imag(), torque;
+  Scene loaded = scene;
+  loaded.flow = {};
+  loaded.contact.reset();
+  const SuspensionSolver mobility(loaded);
+  const Instant start = mobility.start();
+  const Forcing none = scaled(0.0, start.forcing);
+  for (Index kind = 0; kind < 3; ++kind) {
+    const Complex along = kind == 0 ? 1.0 : kind == 1 ? imaginary : 0.0;
+    const double turn = kind == 2 ? 1.0 : 0.0;
+    // All bodies have the unit motion of this kind; the forcing selects one of them.
+    Scene moved = loaded;
+    for (const std::size_t k : free) {
+      moved.bodies[k].held = true;
+      moved.bodies[k].velocity = along;
+      moved.bodies[k].omega = turn;
+    }
+    const SuspensionSolver resistance(moved);
+    for (Index j = kind; j < size; j += 3) {
+      const std::size_t driven = free[static_cast<std::size_t>(j / 3)];
+      Forcing unit_load = none, unit_motion = none;
+      unit_load.loads[driven] = {along, turn};
+      unit_motion.motions[driven] = 1.0;
+      const Solution moving = mobility.solve({start.configuration, unit_load});
+      const Solution loading = resistance.solve({start.configuration, unit_motion});
+      for (Index k = 0; k < std::ssize(free); ++k) {
+        const std::size_t body = free[static_cast<std::size_t>(k)];
+        const auto& [velocity, omega] = moving.motions[body];
+        const auto& [force, torque] = loading.loads[body];
+        matrices.mobility.col(j).segment<3>(3 * k) << velocity.real(), velocity.imag(), omega;
+        matrices.resistance.col(j).segment<3>(3 * k) << force.real(), force.imag(), torque;
+      }
     }
   }
   return matrices;

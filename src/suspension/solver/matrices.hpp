@@ -24,7 +24,8 @@ struct HydrodynamicMatrices {
 };
 
 /// Computes both matrices of the free bodies of a scene at its start, each by 3N solves of its own:
-/// the columns of M under unit loads, those of R with all free bodies held at unit motions.
+/// the columns of M under unit loads, those of R with all free bodies held at unit motions. One
+/// solver serves M, and one each kind of motion R.
 ///
 /// Held bodies and walls are at rest. The flow and the loads of the scene have no effect.
 /// @throws SolverError as SuspensionSolver::solve() does; and when the scene has no free body, or
