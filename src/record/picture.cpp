@@ -26,6 +26,7 @@ constexpr double header_height = 54.0;  // title and time, above the drawing
 constexpr double bar_column = 84.0;     // colour bar and its numbers, right of the drawing
 constexpr double bar_height = 150.0;    // also the least height of a drawing
 constexpr double full_width = 648.0;    // width of a drawing, unless its height is limited
+constexpr double tracer_size = 4.0;     // diameter of a dot
 
 /// Returns the scale, in pixels per length, at which a drawing of a region with a width and height
 /// has its full width and is at most 1.4 times as high as this width.
@@ -69,6 +70,17 @@ std::string draw_bar(double drawn_width, const ColourMap& map, const ValueRange&
 std::string path_data(const auto& layout, const Outline& outline, const auto& state) {
   const auto to_drawing = [&](Complex point) { return layout.to_drawing(point); };
   return svg::polygon(placed(outline, state).unaryExpr(to_drawing));
+}
+
+/// Draws tracers as dots: lines without length that have round ends.
+std::string draw_tracers(const auto& layout, const std::vector<Complex>& tracers, double size) {
+  std::string dots;
+  for (const Complex tracer : tracers) {
+    const Complex at = layout.to_drawing(tracer);
+    dots += svg::line(at, at);
+  }
+  return svg::path(
+      dots, R"(stroke="#e0218a" stroke-linecap="round")" + svg::attribute("stroke-width", size));
 }
 
 // The picture of a configuration
@@ -118,6 +130,7 @@ Layout lay_out(const Frame& frame, const Outlines& outlines, const std::vector<B
   for (std::size_t k = 0; k < walls.size(); ++k) {
     for (const Complex point : placed(walls[k], frame.walls[k])) layout.include(point);
   }
+  for (const Complex tracer : frame.tracers) layout.include(tracer);
   for (const BodyPath& path : paths) {
     for (const Complex point : path.points) layout.include(point);
   }
@@ -397,8 +410,8 @@ std::string draw_configuration(const Frame& frame, const Outlines& outlines,
   }
   return open_picture(layout.drawn, frame.t, title) + draw_walls(layout, frame, outlines.walls) +
          draw_bodies(layout, frame, outlines.bodies) + draw_ticks(layout, frame, outlines.bodies) +
-         draw_contacts(layout, frame) + draw_arrows(layout, frame) + draw_paths(layout, paths) +
-         bar + "</svg>\n";
+         draw_contacts(layout, frame) + draw_tracers(layout, frame.tracers, tracer_size) +
+         draw_arrows(layout, frame) + draw_paths(layout, paths) + bar + "</svg>\n";
 }
 
 std::map<std::string, std::string> draw_fields(const Frame& frame, const Outlines& outlines,
@@ -412,7 +425,8 @@ std::map<std::string, std::string> draw_fields(const Frame& frame, const Outline
     constexpr double pixels_apart = 16.0;
     lines = streamlines(field, pixels_apart / layout.scale * field.grid.spacing);
   }
-  const std::string curves = draw_curves(layout, frame, outlines);
+  const std::string curves = draw_curves(layout, frame, outlines) +
+                             draw_tracers(layout, frame.tracers, tracer_size / layout.scale);
   std::map<std::string, std::string> pictures;
   const auto draw = [&](std::string_view quantity, const Eigen::VectorXd& values, bool has_sign) {
     if (values.size() == 0) return;

@@ -33,7 +33,8 @@ constexpr const char* resistance_name = "resistance.csv";
 constexpr const char* mobility_name = "mobility.csv";
 constexpr const char* info_name = "run.json";
 constexpr const char* scene_name = "scene.toml";
-constexpr std::array frame_files{body_files, contact_files, field_files, earlier_scenes};
+constexpr std::array frame_files{body_files, contact_files, tracer_files, field_files,
+                                 earlier_scenes};
 
 struct GrowingFile {
   std::string name;
@@ -200,6 +201,9 @@ void RunDirectory::write_frame(const Frame& frame) {
   if (contents_.vtk && contents_.contacts) {
     replace(contact_files.name(frame_count()), contacts_vtp(frame));
   }
+  if (contents_.vtk && contents_.tracers) {
+    replace(tracer_files.name(frame_count()), tracers_vtp(frame));
+  }
   if (contents_.fields) replace(field_files.name(frame_count()), field_vti(*frame.field));
   frame_times_.push_back(frame.t);
   write_collections();
@@ -231,6 +235,7 @@ void RunDirectory::write_collections() {
   };
   if (contents_.vtk) write(body_files);
   if (contents_.vtk && contents_.contacts) write(contact_files);
+  if (contents_.vtk && contents_.tracers) write(tracer_files);
   if (contents_.fields) write(field_files);
 }
 

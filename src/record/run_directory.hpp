@@ -27,7 +27,7 @@ struct RunContents {
   bool html = false;      ///< animation.html
   bool fields = false;    ///< fields.pvd and one .vti for each frame
   bool contacts = false;  ///< with csv: contacts.csv; with vtk: contacts.pvd, a .vtp for each frame
-  bool tracers = false;   ///< with csv: tracers.csv
+  bool tracers = false;   ///< with csv: tracers.csv; with vtk: tracers.pvd, a .vtp for each frame
   bool nodes = false;     ///< with csv: nodes.csv
   std::string program{};  ///< fingerprint of the program that writes the run
 };

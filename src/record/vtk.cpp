@@ -1,4 +1,4 @@
-// Writes configurations, contacts and fields for ParaView in VTK's XML formats, and collections
+// Writes configurations, contacts, tracers and fields for ParaView in VTK's XML formats, and collections
 // that list these files with their times.
 #include "record/vtk.hpp"
 
@@ -20,12 +20,17 @@ namespace stokesbook {
 
 namespace {
 
-/// A curve, and the way in which its points are joined.
+/// Points, and the way in which they are joined.
 struct Cell {
   ComplexVector points;
-  enum { in_line, in_loop, in_polygon } joined;
+  enum { not_at_all, in_line, in_loop, in_polygon } joined;
 
-  bool is_line() const { return joined != in_polygon; }
+  bool is_line() const { return joined == in_line || joined == in_loop; }
+
+  /// Returns the name of VTK's list of such cells.
+  std::string list() const {
+    return is_line() ? "Lines" : joined == in_polygon ? "Polys" : "Verts";
+  }
 };
 
 /// A wall or body.
@@ -81,15 +86,15 @@ std::string cell_data(const std::string& name, const auto& items, auto member) {
                     std::same_as<Value, Complex> ? 3 : 1, "ascii", values);
 }
 
-/// Writes the point numbers of all lines, or of all polygons, as VTK's connectivity and offsets.
-std::string topology(const auto& cells, bool lines) {
+/// Writes one of VTK's lists of cells: their point numbers as connectivity and offsets.
+std::string topology(const auto& cells, const std::string& list) {
   std::string connectivity;
   std::string offsets;
   Eigen::Index first = 0;
   Eigen::Index offset = 0;
   for (const Cell& cell : cells) {
     const Eigen::Index next = first + cell.points.size();
-    if (cell.is_line() == lines) {
+    if (cell.list() == list) {
       const bool closed = cell.joined == Cell::in_loop;
       for (Eigen::Index k = first; k < next; ++k) connectivity += line(k);
       if (closed) connectivity += line(first);
@@ -98,12 +103,13 @@ std::string topology(const auto& cells, bool lines) {
     }
     first = next;
   }
-  return data_array("Int64", "connectivity", 1, "ascii", connectivity) +
-         data_array("Int64", "offsets", 1, "ascii", offsets);
+  return element(list, {},
+                 data_array("Int64", "connectivity", 1, "ascii", connectivity) +
+                     data_array("Int64", "offsets", 1, "ascii", offsets));
 }
 
-/// Writes cells, lines before polygons, with their data, of which a viewer first shows the named
-/// scalars and vectors.
+/// Writes cells, lines before polygons, or single points, with their data, of which a viewer first
+/// shows the named scalars and vectors.
 std::string poly_data(const auto& cells, const std::string& scalars, const std::string& vectors,
                       const std::string& data) {
   std::string points;
@@ -112,16 +118,19 @@ std::string poly_data(const auto& cells, const std::string& scalars, const std::
     for (const Complex point : cell.points) points += line(point);
     n_points += cell.points.size();
   }
-  const auto n_lines = std::ranges::count_if(cells, &Cell::is_line);
+  const auto number_in = [&](const std::string& list) {
+    return std::to_string(std::ranges::count(cells, list, &Cell::list));
+  };
   const Attributes counts{{"NumberOfPoints", std::to_string(n_points)},
-                          {"NumberOfVerts", "0"},
-                          {"NumberOfLines", std::to_string(n_lines)},
+                          {"NumberOfVerts", number_in("Verts")},
+                          {"NumberOfLines", number_in("Lines")},
                           {"NumberOfStrips", "0"},
-                          {"NumberOfPolys", std::to_string(std::ssize(cells) - n_lines)}};
+                          {"NumberOfPolys", number_in("Polys")}};
   const std::string piece =
       element("CellData", {{"Scalars", scalars}, {"Vectors", vectors}}, data) +
       element("Points", {}, data_array("Float64", "points", 3, "ascii", points)) +
-      element("Lines", {}, topology(cells, true)) + element("Polys", {}, topology(cells, false));
+      (number_in("Verts") == "0" ? "" : topology(cells, "Verts")) + topology(cells, "Lines") +
+      topology(cells, "Polys");
   return vtk_file({{"type", "PolyData"}, {"version", "1.0"}},
                   element("PolyData", {}, element("Piece", counts, piece)));
 }
@@ -189,6 +198,16 @@ std::string contacts_vtp(const Frame& frame) {
                            cell_data("force", contacts, &ContactForce::force) +
                            cell_data("gap", contacts, &ContactForce::gap);
   return poly_data(cells, "force", "normal", data);
+}
+
+std::string tracers_vtp(const Frame& frame) {
+  std::vector<Cell> cells;
+  std::vector<std::size_t> numbers;
+  for (const Complex tracer : frame.tracers) {
+    numbers.push_back(cells.size());
+    cells.push_back({ComplexVector{{tracer}}, Cell::not_at_all});
+  }
+  return poly_data(cells, "id", "", cell_data("id", numbers, std::identity{}));
 }
 
 std::string field_vti(const Field& field) {

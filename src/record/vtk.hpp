@@ -25,6 +25,10 @@ std::string configuration_vtp(const Frame& frame, const Outlines& outlines);
 /// `gap` as in ContactForce. All bodies in contact must be in the frame.
 std::string contacts_vtp(const Frame& frame);
 
+/// Writes the tracers as VTK PolyData (XML, ASCII), with one vertex for each. Cell data: `id`, the
+/// number of the tracer as in tracers.csv.
+std::string tracers_vtp(const Frame& frame);
+
 /// Writes a field as VTK ImageData (XML, data in base64), about 11 bytes for each double.
 ///
 /// Point data: `in_fluid`, 0 or 1; `velocity`, whose third component is 0; and the scalars, by
@@ -55,6 +59,8 @@ struct FrameFiles {
 inline constexpr FrameFiles body_files{"bodies", ".vtp"};
 /// Files with the network of contacts, by contacts_vtp().
 inline constexpr FrameFiles contact_files{"contacts", ".vtp"};
+/// Files with the tracers, by tracers_vtp().
+inline constexpr FrameFiles tracer_files{"tracers", ".vtp"};
 /// Files with fields on a grid, by field_vti().
 inline constexpr FrameFiles field_files{"fields", ".vti"};
 

@@ -36,6 +36,15 @@ BOOST_AUTO_TEST_CASE(one_picture_a_quantity) {
   BOOST_TEST(!is_field_picture("fields_temperature.svg"));
 }
 
+// The grid begins at (-4, -2.5) with a spacing of 1/3: the squares of the grid are one unit wide.
+BOOST_AUTO_TEST_CASE(tracers_are_dots_in_their_squares) {
+  Frame frame = sample_frame(0);
+  frame.tracers = {{-4.0, -2.5}, {-3.0, 0.5}};
+  for (const auto& [name, picture] : fields_of(frame)) {
+    BOOST_TEST(contains(picture, "d=\"M0.5 16.5L0.5 16.5M3.5 7.5L3.5 7.5\""), name);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(no_streamlines_without_velocity) {
   Frame frame = sample_frame(0);
   frame.field->velocity.resize(0);

@@ -109,6 +109,7 @@ BOOST_AUTO_TEST_CASE(pictures_do_not_tell_where_a_scene_lies) {
   for (BodyState& body : far.bodies) body.position += way;
   for (WallLoad& wall : far.walls) wall.position += way;
   for (ContactForce& contact : far.contacts) contact.point += way;
+  for (Complex& tracer : far.tracers) tracer += way;
   BOOST_TEST((draw(far) == draw(here)));
 }
 

@@ -70,6 +70,9 @@ def check_tables(directory):
                           encoding="ascii")
     assert table.dtype.names == ("t", "a", "b", "x", "y", "nx", "ny", "force", "gap")
     assert table.tolist() == [(t, *row) for k, t in enumerate(times) for row in contacts(k)]
+    names, rows = read_table(directory / "tracers.csv")
+    assert names == ("t", "tracer", "x", "y")
+    assert rows.tolist() == [[t, k, *tracers(t)[k]] for t in times for k in range(2)]
     names, rows = read_table(directory / "steps.csv")
     assert names == ("t", "dt", "gmres_iterations", "matvecs", "ncp_iterations", "contacts",
                      "min_gap", "residual", "velocity_error", "step_error", "seconds", "kkt_residual",
@@ -159,6 +162,17 @@ def check_network(path, t):
     assert array("gap") == [gap for *_, gap in expected]
 
 
+def tracers(t):
+    return [[1 / 3 + t, -3], [-7, t]]
+
+
+def check_tracers(path, t):
+    polydata = read_vtk(vtkXMLPolyDataReader(), path)
+    assert polydata.GetNumberOfVerts() == polydata.GetNumberOfCells() == 2
+    assert [polydata.GetPoint(k) for k in range(2)] == [(x, y, 0) for x, y in tracers(t)]
+    assert vtk_to_numpy(polydata.GetCellData().GetArray("id")).tolist() == [0, 1]
+
+
 def check_image(path, t):
     """Every quantity equals the formula of sample_run.cpp exactly, and is NaN in the unit disk."""
     image = read_vtk(vtkXMLImageDataReader(), path)
@@ -210,6 +224,10 @@ def check_picture(path):
         x, y, theta, *_ = body(t, j)
         expected = x + 1j * y + np.exp(1j * theta) * BODIES[j]
         np.testing.assert_allclose((curves[2 + j] - centre) / scale, expected, rtol=0, atol=1e-3)
+    dots, = (path for path in picture.findall(svg + "path") if path.get("stroke") == "#e0218a")
+    ends = np.array(re.findall(r"[-.\d]+", dots.get("d")), float).reshape(-1, 2) @ [1, -1j]
+    expected = np.repeat([x + 1j * y for x, y in tracers(t)], 2)
+    np.testing.assert_allclose((ends - centre) / scale, expected, rtol=0, atol=1e-3)
 
 
 def check_field_picture(path):
@@ -275,6 +293,7 @@ def main():
     check_tables(directory)
     check_collection(directory / "bodies.pvd", check_polydata)
     check_collection(directory / "contacts.pvd", check_network)
+    check_collection(directory / "tracers.pvd", check_tracers)
     check_collection(directory / "fields.pvd", check_image)
     check_picture(directory / "configuration.svg")
     check_field_picture(directory / "fields_pressure.svg")

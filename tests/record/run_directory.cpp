@@ -43,6 +43,7 @@ BOOST_AUTO_TEST_CASE(directories_are_made) {
 BOOST_AUTO_TEST_CASE(only_files_asked_for_are_written) {
   RunContents contents = sample_contents();
   contents.vtk = contents.svg = contents.html = contents.fields = contents.contacts = false;
+  contents.tracers = false;
   const auto names = [](const RunContents& asked, int k) {
     const Folder folder;
     Frame frame = sample_frame(k);
@@ -58,8 +59,8 @@ BOOST_AUTO_TEST_CASE(only_files_asked_for_are_written) {
       "animation.html bodies.pvd bodies_000000.vtp configuration.svg contacts.csv contacts.pvd "
       "contacts_000000.vtp fields.pvd fields_000000.vti "
       "fields_dissipation.svg fields_pressure.svg fields_shear_stress.svg "
-      "fields_velocity.svg fields_vorticity.svg rheology.csv steps.csv trajectory.csv "
-      "walls.csv ");
+      "fields_velocity.svg fields_vorticity.svg rheology.csv steps.csv tracers.csv tracers.pvd "
+      "tracers_000000.vtp trajectory.csv walls.csv ");
   BOOST_TEST(names(contents, 0) == "rheology.csv steps.csv trajectory.csv walls.csv ");
   contents.contacts = true;
   BOOST_TEST(names(contents, 0) == "contacts.csv rheology.csv steps.csv trajectory.csv walls.csv ");

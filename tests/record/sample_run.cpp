@@ -91,7 +91,8 @@ RunContents sample_contents() {
       .svg = true,
       .html = true,
       .fields = true,
-      .contacts = true};
+      .contacts = true,
+      .tracers = true};
 }
 
 Frame sample_frame(int k) {
@@ -113,6 +114,7 @@ Frame sample_frame(int k) {
                            .force = {t / 3.0, j + 1.0 / 9.0},
                            .torque = -t});
   }
+  frame.tracers = {{1.0 / 3.0 + t, -3.0}, {-7.0, t}};
   // There is no contact, one contact between the bodies, or a further one between a body and the
   // outer wall.
   const ContactParty star{.is_wall = false, .number = 1};

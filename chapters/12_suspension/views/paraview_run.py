@@ -1,9 +1,9 @@
-"""Opens a run in ParaView: bodies by speed, walls, contacts by force, a field of the fluid.
+"""Opens a run in ParaView: bodies by speed, walls, contacts by force, tracers, a field of the fluid.
 
 paraview --script=paraview_run.py      in the folder of the run; or File, Load State
 pvpython paraview_run.py FOLDER PNG    writes a picture of the last time
 
-A run has these files with the formats "vtk" (bodies, contacts) and with [output] fields.
+A run has these files with the format "vtk" (bodies, contacts, tracers) and with [output] fields.
 """
 
 import pathlib
@@ -12,6 +12,7 @@ import sys
 # The files of a run that are shown, if they are there, the array each is coloured by, and its map.
 BODIES = ("bodies.pvd", "CELLS", "velocity", "Viridis (matplotlib)")
 CONTACTS = ("contacts.pvd", "CELLS", "force", "Black-Body Radiation")
+TRACERS = ("tracers.pvd",)
 FIELDS = [("fields.pvd", "POINTS", name, "Cool to Warm")  # the first that the run has
           for name in ("pressure", "vorticity", "shear_stress", "dissipation", "velocity")]
 NUMBER = "id"  # of a body; walls count down from -1
@@ -54,6 +55,13 @@ def show_contacts(simple, path, view):
     coloured(simple, reader_of(simple, path), view, *CONTACTS[1:]).LineWidth = 4
 
 
+def show_tracers(simple, path, view):
+    points = simple.Show(reader_of(simple, path), view)
+    simple.ColorBy(points, None)
+    points.DiffuseColor = points.AmbientColor = [0.88, 0.13, 0.54]
+    points.PointSize = 4
+
+
 def show_field(simple, path, view):
     """The first quantity that the run has, behind the bodies; none where there is no fluid."""
     reader = reader_of(simple, path)
@@ -71,7 +79,7 @@ def show_run(folder):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.InteractionMode = "2D"
     for (name, *_), show in ((BODIES, show_components), (CONTACTS, show_contacts),
-                             (FIELDS[0], show_field)):
+                             (TRACERS, show_tracers), (FIELDS[0], show_field)):
         if (folder / name).exists():
             show(simple, folder / name, view)
     simple.GetAnimationScene().GoToLast()
