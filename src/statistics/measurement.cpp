@@ -45,18 +45,15 @@ std::string draw(const Measurement& measurement, std::size_t quantity) {
   study::Plot plot{.title = name,
                    .x_label = measurement.variable,
                    .y_label = name,
-                   .log_x = false,
+                   .log_x = measurement.is_logarithmic,
                    .log_y = false,
-                   .lines = {{"mean"}, {"95 % interval, lower end"}, {"upper end"}}};
+                   .lines = {{"mean and 95 % confidence interval"}}};
   for (std::size_t bin = 0; bin < measurement.at.size(); ++bin) {
     const auto& [mean, standard_error, interval] = measurement.means[quantity][bin];
-    const double x = measurement.at[bin];
-    if (std::isfinite(mean)) plot.lines[0].points.push_back({x, mean});
-    if (!std::isfinite(interval)) continue;
-    plot.lines[1].points.push_back({x, mean - interval});
-    plot.lines[2].points.push_back({x, mean + interval});
+    if (!std::isfinite(mean)) continue;
+    plot.lines[0].points.push_back(
+        {.x = measurement.at[bin], .y = mean, .error = std::isfinite(interval) ? interval : 0.0});
   }
-  std::erase_if(plot.lines, [](const study::PlotLine& line) { return line.points.empty(); });
   return study::draw_plot(plot);
 }
 

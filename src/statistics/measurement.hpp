@@ -16,6 +16,7 @@ struct Measurement {
   std::vector<double> at;                             ///< values of the variable
   std::vector<std::string> quantities = {};           ///< names of the quantities
   std::vector<std::vector<MeanEstimate>> means = {};  ///< for each quantity, one for each value
+  bool is_logarithmic = false;                        ///< whether plots have a logarithmic x axis
 
   /// Adds a quantity from its values at m written times, m x n for n values of the variable.
   void add(const std::string& quantity, const std::vector<double>& t,

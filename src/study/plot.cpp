@@ -124,7 +124,9 @@ std::optional<Layout> lay_out(const Plot& plot) {
   for (const PlotLine& line : plot.lines) {
     for (const PlotPoint& point : line.points) {
       if (layout.x.shows(point.x)) xs.push_back(point.x);
-      if (layout.y.shows(point.y)) ys.push_back(point.y);
+      for (const double y : {point.y - point.error, point.y + point.error}) {
+        if (layout.y.shows(y)) ys.push_back(y);
+      }
     }
   }
   if (xs.empty() || ys.empty()) return std::nullopt;
@@ -206,7 +208,7 @@ std::string marker_path(std::size_t line, Complex at) {
 }
 
 std::string draw_line(const PlotLine& line, std::size_t index, const Layout& layout) {
-  std::string joined, filled, hollow;
+  std::string joined, bars, filled, hollow;
   const std::size_t points_per_marker = (line.points.size() + 39) / 40;
   for (std::size_t k = 0; k < line.points.size(); ++k) {
     const PlotPoint& point = line.points[k];
@@ -214,8 +216,12 @@ std::string draw_line(const PlotLine& line, std::size_t index, const Layout& lay
     const Complex at = layout.pixel(point);
     joined += (joined.empty() ? 'M' : 'L') + svg::number(at.real()) + ' ' + svg::number(at.imag());
     if (k % points_per_marker == 0) (point.hollow ? hollow : filled) += marker_path(index, at);
+    if (point.error == 0.0) continue;
+    bars += svg::line(layout.pixel({point.x, point.y - point.error}),
+                      layout.pixel({point.x, point.y + point.error}));
   }
   return svg::group(svg::path(joined, "fill=\"none\" stroke-opacity=\"0.55\"") +
+                        svg::path(bars, "fill=\"none\"") +
                         svg::path(filled, "fill=\"currentColor\"") +
                         svg::path(hollow, "fill=\"none\""),
                     class_of(index) + " stroke=\"currentColor\" stroke-width=\"1.4\"");

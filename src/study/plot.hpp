@@ -10,6 +10,7 @@ struct PlotPoint {
   double x;             ///< abscissa
   double y;             ///< ordinate
   bool hollow = false;  ///< drawn without filling
+  double error = 0.0;   ///< half the height of an error bar; 0: no bar
 };
 
 /// A line of a plot: points joined in order, such as those of one method.

@@ -61,6 +61,22 @@ std::vector<double> corners_of_marker(const std::string& svg, int line) {
 
 BOOST_AUTO_TEST_SUITE(plots)
 
+// The bar of a point extends by its error above and below, and the axis contains the bar.
+BOOST_AUTO_TEST_CASE(error_bars) {
+  Plot plot = decay({{0.0, 5.0, false, 5.0}, {1.0, 5.0}});
+  plot.log_x = plot.log_y = false;
+  const std::regex bar(
+      "d=\"M([0-9.]+) ([0-9.]+)L([0-9.]+) ([0-9.]+)\"/>\n<path fill=\"currentColor");
+  const std::string svg = draw_plot(plot);
+  std::smatch found;
+  BOOST_REQUIRE(std::regex_search(svg, found, bar));
+  BOOST_TEST(found[1] == found[3]);
+  const double low = std::stod(found[2]), high = std::stod(found[4]);
+  // The frame is 280 pixels high, and extends beyond the bar by a twentieth at each end.
+  BOOST_TEST(low - high == 280.0 / 1.1, boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(low + high == 34.0 + 314.0, boost::test_tools::tolerance(1e-3));
+}
+
 BOOST_AUTO_TEST_CASE(points_are_markers_and_left_out_ones_hollow) {
   // The legend contains one more marker.
   const std::string svg = draw_plot(decay({{8, 1e-1}, {16, 1e-2}, {32, 1e-3, true}}));
