@@ -7,34 +7,37 @@
 #include <vector>
 
 #include "near_singular/barycentric.hpp"
+#include "suspension/bodies/components.hpp"
 #include "trapezoid/curve.hpp"
 
 namespace stokesbook {
 
 namespace {
 
-bool leaves_its_place(const Wall& wall) {
-  const auto* rotating = std::get_if<RotatingWall>(&wall.motion);
-  return std::holds_alternative<TranslatingWall>(wall.motion) ||
-         (rotating != nullptr && !std::holds_alternative<Circle>(wall.shape));
-}
-
 std::vector<Curve> placed_walls(const Scene& scene) {
-  if (!is_enclosed(scene) || std::ranges::any_of(scene.walls, leaves_its_place)) {
+  if (!is_enclosed(scene) || !walls_stay(scene)) {
     throw SceneError(
         "bodies are counted in a region: give --box xmin,ymin,xmax,ymax, since the scene has no "
         "outer wall, or a wall that leaves its place");
   }
-  constexpr Eigen::Index nodes = 512;
   std::vector<Curve> walls;
-  for (const Wall& wall : scene.walls) {
-    const Side side = wall.role == WallRole::outer ? Side::fluid_inside : Side::fluid_outside;
-    walls.push_back(place(sample(wall.shape, nodes, side), wall.position, wall.orientation));
+  for (std::size_t k = scene.bodies.size(); k < count_components(scene).all(); ++k) {
+    const ComponentView wall = component_of(scene, k);
+    walls.push_back(place(sample(wall.shape, nodes_of_walls, side_of(wall.kind)),
+                          wall.start.position, wall.start.orientation));
   }
   return walls;
 }
 
 }  // namespace
+
+bool walls_stay(const Scene& scene) {
+  return std::ranges::none_of(scene.walls, [](const Wall& wall) {
+    const auto* rotating = std::get_if<RotatingWall>(&wall.motion);
+    return std::holds_alternative<TranslatingWall>(wall.motion) ||
+           (rotating != nullptr && !std::holds_alternative<Circle>(wall.shape));
+  });
+}
 
 bool Region::is_in_box(Complex point) const {
   const auto [left, bottom, right, top] = box;

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
-#include "near_singular/closest_points.hpp"
 #include "record/atomic_file.hpp"
+#include "suspension/bodies/components.hpp"
+#include "suspension/bodies/gaps.hpp"
 #include "suspension/solver/rheology.hpp"
 #include "text/number_text.hpp"
 #include "trapezoid/curve.hpp"
@@ -14,11 +16,12 @@
 namespace stokesbook {
 
 using Eigen::Index;
+using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
 namespace {
 
-constexpr Index body_nodes = 128, nodes_of_walls = 512;
+constexpr int body_nodes = 128;
 
 // Bins of one width.
 struct Bins {
@@ -29,7 +32,7 @@ struct Bins {
       : from(begin), width((end - begin) / number), count(number) {}
 
   // Adds a weight to the bin of a value; values outside all bins are left out.
-  void add(auto&& row, double value, double weight) const {
+  void add(auto&& row, double value, auto weight) const {
     const double place = std::floor((value - from) / width);
     if (place >= 0.0 && place < static_cast<double>(count))
       row[static_cast<Index>(place)] += weight;
@@ -64,20 +67,34 @@ double pairs_of(std::size_t points) {
   return 0.5 * n * (n - 1.0);
 }
 
-// Returns e^{2 i theta} of the long axis of each body that has one.
-std::vector<Complex> doubled_axes(const Scene& scene, const std::vector<BodyState>& bodies) {
-  std::vector<Complex> axes;
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
+// Returns e^{2 i theta} of the long axis of each body that has one, at each time.
+std::vector<std::vector<Complex>> doubled_axes(const Scene& scene, const BodyFrames& frames) {
+  std::vector<std::vector<Complex>> axes(frames.t.size());
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const auto axis = long_axis(sampled(scene.bodies[k]));
-    if (axis) axes.push_back(std::polar(1.0, 2.0 * (*axis + bodies[k].orientation)));
+    for (std::size_t f = 0; axis && f < axes.size(); ++f) {
+      axes[f].push_back(std::polar(1.0, 2.0 * (*axis + frames.bodies[f][k].orientation)));
+    }
   }
   return axes;
 }
 
-SmoothCurve placed_curve(const Shape& shape, Index nodes, Side side, const auto& pose) {
-  return {place(sample(shape, nodes, side), pose.position, pose.orientation),
-          std::make_shared<const Parametrisation>(parametrisation(shape)), pose.position,
-          pose.orientation};
+// Computes the stresslets of bodies, S = -mu oint n eta ds (07.14), from the nodes of a run.
+void add_stresslets(BodyFrames& frames, const Run& run) {
+  const NumberTable nodes = read_table(run.path / "nodes.csv");
+  const std::size_t count = run.scene.bodies.size();
+  frames.stresslets.assign(frames.t.size(), std::vector<Complex>(count));
+  for (std::size_t row = 0; row < nodes["t"].size(); ++row) {
+    const auto time = std::ranges::lower_bound(frames.t, nodes["t"][row]);
+    const double body = nodes["component"][row];  // < 0 for walls
+    if (time == frames.t.end() || *time != nodes["t"][row]) continue;
+    if (body < 0.0 || body >= static_cast<double>(count)) continue;
+    const Complex normal{nodes["nx"][row], nodes["ny"][row]};
+    const Complex density{nodes["density_x"][row], nodes["density_y"][row]};
+    const auto frame = static_cast<std::size_t>(time - frames.t.begin());
+    frames.stresslets[frame][static_cast<std::size_t>(body)] -=
+        run.scene.viscosity * nodes["weight"][row] * normal * density;
+  }
 }
 
 }  // namespace
@@ -94,9 +111,12 @@ BodyFrames read_frames(const Run& run, double from, double to) {
       frames.bodies.back().push_back(body_state(table, row));
     }
   }
-  if (!frames.t.empty()) return frames;
-  throw RecordError(table.path, "has no written time from " + short_number(from) + " to " +
-                                    short_number(to) + ": change --from or --to");
+  if (frames.t.empty()) {
+    throw RecordError(table.path, "has no written time from " + short_number(from) + " to " +
+                                      short_number(to) + ": change --from or --to");
+  }
+  if (run.scene.output.nodes) add_stresslets(frames, run);
+  return frames;
 }
 
 Measurement pair_correlation(const Scene& scene, const BodyFrames& frames, const RegionBox& box,
@@ -127,63 +147,56 @@ Measurement pair_correlation(const Scene& scene, const BodyFrames& frames, const
 }
 
 Measurement neighbours(const Scene& scene, const BodyFrames& frames) {
-  const std::size_t count = scene.bodies.size();
-  std::vector<double> radii, limits;
-  for (const Body& body : scene.bodies) radii.push_back(outer_radius(sampled(body), 0.0));
+  const std::size_t bodies = scene.bodies.size();
+  const std::size_t components = walls_stay(scene) ? count_components(scene).all() : bodies;
+  const double share = 1.0 / static_cast<double>(bodies);
+  DiscretisationCache cache({}, components);
+  Discretisation discretisation;
+  Configuration configuration;
   double mean_radius = 0.0;
-  for (const double radius : radii) mean_radius += radius / static_cast<double>(count);
-  for (int k = -16; k <= 0; ++k) limits.push_back(mean_radius * std::pow(10.0, 0.25 * k));
-  std::vector<SmoothCurve> walls;
-  for (const Wall& wall : scene.walls) {
-    const Side side = wall.role == WallRole::outer ? Side::fluid_inside : Side::fluid_outside;
-    walls.push_back(placed_curve(wall.shape, nodes_of_walls, side, wall));
+  for (std::size_t k = 0; k < components; ++k) {
+    const ComponentView component = component_of(scene, k);
+    const int nodes = k < bodies ? body_nodes : nodes_of_walls;
+    discretisation.push_back(cache.get(component.shape, {nodes}, component.kind));
+    configuration.push_back(component.start);
+    if (k < bodies) mean_radius += share * outer_radius(discretisation[k]->curve, 0.0);
   }
-  MatrixXd bodies = zeros(frames, std::ssize(limits)), at_walls = bodies;
+  std::vector<double> limits;
+  for (int k = -16; k <= 0; ++k) limits.push_back(mean_radius * std::pow(10.0, 0.25 * k));
+  MatrixXd at_bodies = zeros(frames, std::ssize(limits)), at_walls = at_bodies;
   for (std::size_t f = 0; f < frames.t.size(); ++f) {
-    const auto add = [&](MatrixXd& numbers, const SmoothCurve& a, const SmoothCurve& b,
-                         double weight) {
-      const double gap = closest_points(a, b).gap;
+    for (std::size_t k = 0; k < bodies; ++k) {
+      configuration[k] = {frames.bodies[f][k].position, frames.bodies[f][k].orientation};
+    }
+    for (const auto& [a, b, closest] : gaps_within(configuration, discretisation, limits.back())) {
+      if (a >= bodies) continue;  // the gap of two walls
+      MatrixXd& numbers = b < bodies ? at_bodies : at_walls;
       for (std::size_t k = 0; k < limits.size(); ++k) {
-        if (gap < limits[k])
-          numbers(static_cast<Index>(f), static_cast<Index>(k)) +=
-              weight / static_cast<double>(count);
-      }
-    };
-    std::vector<SmoothCurve> curves;
-    for (std::size_t a = 0; a < count; ++a) {
-      const BodyState& body = frames.bodies[f][a];
-      curves.push_back(placed_curve(scene.bodies[a].shape, body_nodes, Side::fluid_outside, body));
-      for (std::size_t b = 0; b < a; ++b) {
-        const double distance = std::abs(body.position - frames.bodies[f][b].position);
-        if (distance - radii[a] - radii[b] < limits.back()) add(bodies, curves[a], curves[b], 2.0);
-      }
-      for (const SmoothCurve& wall : walls) {
-        const double distance = (wall.nodes.x.array() - body.position).abs().minCoeff();
-        if (distance - radii[a] < 2.0 * limits.back()) add(at_walls, curves[a], wall, 1.0);
+        if (closest.gap >= limits[k]) continue;
+        numbers(static_cast<Index>(f), static_cast<Index>(k)) += (b < bodies ? 2.0 : 1.0) * share;
       }
     }
   }
   Measurement result{"neighbours", "h", limits};
-  result.add("bodies", frames.t, bodies);
-  if (!walls.empty()) result.add("walls", frames.t, at_walls);
+  result.is_logarithmic = true;
+  result.add("bodies", frames.t, at_bodies);
+  if (components > bodies) result.add("walls", frames.t, at_walls);
   return result;
 }
 
 Measurement orientations(const Scene& scene, const BodyFrames& frames, int number) {
   const Bins bins(0.0, std::numbers::pi, number);
+  const std::vector<std::vector<Complex>> axes = doubled_axes(scene, frames);
+  if (axes[0].empty()) return {"orientations", "theta", {}};
   MatrixXd density = zeros(frames, number);
-  bool any = false;
-  for (std::size_t f = 0; f < frames.t.size(); ++f) {
-    const std::vector<Complex> axes = doubled_axes(scene, frames.bodies[f]);
-    for (const Complex axis : axes) {
+  for (std::size_t f = 0; f < axes.size(); ++f) {
+    for (const Complex axis : axes[f]) {
       const double doubled = std::arg(axis);  // in (-pi, pi]
       const double angle = 0.5 * (doubled < 0.0 ? doubled + 2.0 * std::numbers::pi : doubled);
       bins.add(density.row(static_cast<Index>(f)), angle,
-               1.0 / (static_cast<double>(axes.size()) * bins.width));
-      any = true;
+               1.0 / (static_cast<double>(axes[f].size()) * bins.width));
     }
   }
-  if (!any) return {"orientations", "theta", {}};
   Measurement result{"orientations", "theta", bins.centres()};
   result.add("density", frames.t, density);
   return result;
@@ -191,10 +204,8 @@ Measurement orientations(const Scene& scene, const BodyFrames& frames, int numbe
 
 std::vector<double> nematic_order(const Scene& scene, const BodyFrames& frames) {
   std::vector<double> order;
-  for (const std::vector<BodyState>& bodies : frames.bodies) {
-    Complex sum = 0.0;
-    const std::vector<Complex> axes = doubled_axes(scene, bodies);
-    for (const Complex axis : axes) sum += axis;
+  for (const std::vector<Complex>& axes : doubled_axes(scene, frames)) {
+    const Complex sum = std::accumulate(axes.begin(), axes.end(), Complex{});
     order.push_back(std::abs(sum) / static_cast<double>(axes.size()));
   }
   return order;
@@ -211,13 +222,16 @@ Measurement profile(const Scene& scene, const BodyFrames& frames, const RegionBo
   };
   const Eigen::VectorXd values = region.points.unaryExpr(variable);
   const Bins bins(values.minCoeff(), values.maxCoeff(), number);
-  Eigen::RowVectorXd area = Eigen::RowVectorXd::Zero(number);
-  for (const double value : values) bins.add(area, value, region.area / samples);
-  MatrixXd covered = zeros(frames, number), first = covered, second = covered;
+  Eigen::RowVectorXd bin_area = Eigen::RowVectorXd::Zero(number);
+  for (const double value : values) bins.add(bin_area, value, region.area / samples);
+  MatrixXd covered = zeros(frames, number);
+  MatrixXcd momentum = covered.cast<Complex>(), stress = momentum;
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Curve curve = sampled(scene.bodies[k]);
     for (std::size_t f = 0; f < frames.t.size(); ++f) {
       const auto& [position, orientation, velocity, omega, force, torque] = frames.bodies[f][k];
+      const Complex own_stress =
+          frames.stresslets.empty() ? 0.0 : frames.stresslets[f][k] / area(curve);
       const auto row = static_cast<Index>(f);
       for (Index j = 0; j < rings * body_nodes; ++j) {
         // The points c + s e^{i theta} X(t) have the area element s X x X' ds dt.
@@ -229,11 +243,13 @@ Measurement profile(const Scene& scene, const BodyFrames& frames, const RegionBo
         const Complex at = position + arm;
         // Bodies do not meet walls: only a box cuts them.
         if (!region.is_in_box(at)) continue;
-        Complex moved = velocity + imaginary * omega * arm;
-        if (across == Across::radius) moved *= std::conj(at - centre) / std::abs(at - centre);
-        bins.add(covered.row(row), variable(at), weight);
-        bins.add(first.row(row), variable(at), weight * moved.real());
-        bins.add(second.row(row), variable(at), weight * moved.imag());
+        // In polar coordinates, vectors turn by the angle of the point, and stresses by twice that.
+        const Complex turn =
+            across == Across::radius ? std::conj(at - centre) / std::abs(at - centre) : 1.0;
+        const double place = variable(at);
+        bins.add(covered.row(row), place, weight);
+        bins.add(momentum.row(row), place, weight * turn * (velocity + imaginary * omega * arm));
+        bins.add(stress.row(row), place, weight * turn * turn * own_stress);
       }
     }
   }
@@ -245,16 +261,21 @@ Measurement profile(const Scene& scene, const BodyFrames& frames, const RegionBo
   // A mean velocity is a quotient of two means. Its error is that of the linearised quotient
   // (p - v a) / <a> of momentum p and area a, added to v.
   const Eigen::RowVectorXd mean_area = covered.colwise().mean();
-  const auto velocity_of = [&](const MatrixXd& momentum) -> MatrixXd {
-    const Eigen::RowVectorXd v = momentum.colwise().mean().cwiseQuotient(mean_area);
-    return ((momentum - covered * v.asDiagonal()) * mean_area.cwiseInverse().asDiagonal())
+  const auto velocity_of = [&](const MatrixXd& part) -> MatrixXd {
+    const Eigen::RowVectorXd v = part.colwise().mean().cwiseQuotient(mean_area);
+    return ((part - covered * v.asDiagonal()) * mean_area.cwiseInverse().asDiagonal())
                .eval()
                .rowwise() +
            v;
   };
-  result.add("area_fraction", frames.t, covered * area.cwiseInverse().asDiagonal());
-  result.add(across == Across::radius ? "radial_velocity" : "ux", frames.t, velocity_of(first));
-  result.add(across == Across::radius ? "azimuthal_velocity" : "uy", frames.t, velocity_of(second));
+  const bool is_radial = across == Across::radius;
+  const auto per_area = bin_area.cwiseInverse().asDiagonal();
+  result.add("area_fraction", frames.t, covered * per_area);
+  result.add(is_radial ? "radial_velocity" : "ux", frames.t, velocity_of(momentum.real()));
+  result.add(is_radial ? "azimuthal_velocity" : "uy", frames.t, velocity_of(momentum.imag()));
+  if (frames.stresslets.empty()) return result;
+  result.add("particle_normal_stress", frames.t, stress.real() * per_area);
+  result.add("particle_shear_stress", frames.t, stress.imag() * per_area);
   return result;
 }
 

@@ -13,10 +13,12 @@ namespace stokesbook {
 struct BodyFrames {
   std::vector<double> t;                       ///< written times
   std::vector<std::vector<BodyState>> bodies;  ///< for each time, in the scene's order; no loads
+  /// For each time and body, by body_stresslet(), force; empty unless the run has `nodes.csv`.
+  std::vector<std::vector<Complex>> stresslets = {};
 };
 
 /// Reads the bodies of a run at the written times of an interval.
-/// @throws RecordError when no time is in the interval
+/// @throws RecordError when no time is in the interval, or a table is damaged
 BodyFrames read_frames(const Run& run, double from, double to);
 
 /// Measures the pair correlation g(r) of the bodies' positions.
@@ -34,7 +36,8 @@ Measurement pair_correlation(const Scene& scene, const BodyFrames& frames, const
 /// Measures the mean number of other bodies, and of walls, whose gap to a body is less than h: the
 /// coordination number as a function of h, whose increments are the distribution of the gaps.
 ///
-/// The values of h are powers of ten, from 1e-4 to 1 mean radii, four in each decade.
+/// The values of h are powers of ten, from 1e-4 to 1 mean radii, four in each decade. Walls are left
+/// out unless walls_stay().
 Measurement neighbours(const Scene& scene, const BodyFrames& frames);
 
 /// Measures the distribution of the directions of long_axis() from 0 to pi, one per radian. Returns
@@ -55,6 +58,11 @@ enum class Across {
 /// Measures profiles across the region: the part of the area that bodies cover, and the mean
 /// velocity of the bodies in it, along x and y, or along the radius about the middle of the region's
 /// box and the azimuth.
+///
+/// If the frames have stresslets, also the particle stress: each bin's part of the stresslets of all
+/// bodies over its area, where the stresslet of a body is spread evenly over the area of the body.
+/// The components are s_11 and s_12, or s_rr and s_rt; s_22 = -s_11. Summed over all bins, stress
+/// times area is the sum of the stresslets (07.16).
 ///
 /// Bodies are integrated by a rule with 32 points from the position to each of 128 boundary points,
 /// and the region by 40000 uniform points: narrow bins count few of these points.

@@ -576,7 +576,7 @@ class Records(Program):
         self.assertIn("flow.gauge_length", result.stderr)
 
     def test_measure_writes_means_and_profiles(self):
-        self.run_scene("--out", "a")
+        self.run_scene("--out", "a", "--set", "output.nodes=true")
         result = stokes("measure", "a", "--from", "0.2", "--box=-4,-2,4,2", "--across", "x",
                         "--bins", "8", "--out", "b", cwd=self.folder)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -589,8 +589,12 @@ class Records(Program):
         profile = numpy.genfromtxt(self.folder / "b" / "profile.csv", names=True, delimiter=",")
         area = numpy.sum(profile["area_fraction"]) * 4.0
         self.assertAlmostEqual(area / (numpy.pi * 1.6), 1.0, 2)
+        # The stresslets of the profile are sums over nodes.csv, those of rheology.csv the solver's.
+        for stress, stresslet in ("normal", "s11"), ("shear", "s12"):
+            total = numpy.sum(profile[f"particle_{stress}_stress"]) * 4.0
+            self.assertAlmostEqual(total / float(means[stresslet].split(",")[0]), 1.0, 2)
         for name in ("pair_correlation_g", "neighbours_bodies", "orientations_density",
-                     "profile_ux"):
+                     "profile_ux", "profile_particle_shear_stress"):
             xml.etree.ElementTree.parse(self.folder / "b" / f"{name}.svg")
         for arguments, code, words in ((["nowhere"], 3, "nowhere"),
                                        (["a", "--from", "9"], 3, "no written time"),

@@ -131,6 +131,10 @@ BOOST_AUTO_TEST_CASE(neighbours_in_a_row) {
                boost::test_tools::tolerance(1e-12));
   }
   BOOST_TEST(found.at.front() == 1e-4, boost::test_tools::tolerance(1e-3));
+  // The places of a wall that moves are not known.
+  Scene moving = row;
+  moving.walls[0].motion = TranslatingWall{1.0};
+  BOOST_TEST(neighbours(moving, frames).quantities.size() == 1u);
 }
 
 // The long axis of the ellipses is their second one.
@@ -178,6 +182,38 @@ BOOST_AUTO_TEST_CASE(profiles) {
     }
   }
   BOOST_TEST(area == pi, boost::test_tools::tolerance(0.01));
+}
+
+// All disks have one stresslet, so that the stress is their area fraction times stresslet over
+// area: S_11 and S_12 across x, and turned by the angle of the place across the radius.
+BOOST_AUTO_TEST_CASE(profiles_of_stress) {
+  const double a = 0.4;
+  const Complex stresslet(0.3, -1.7);
+  const Scene scene = with_bodies(container(4.0), Circle{a}, 3);
+  const BodyFrames frames{
+      {0.0}, {{at({0.5, 0.2}), at(-1.5), at({0.3, -2.0})}}, {{stresslet, stresslet, stresslet}}};
+  const Measurement along = profile(scene, frames, {}, Across::x, 20);
+  BOOST_REQUIRE(along.means.size() == 5u);
+  BOOST_TEST(along.quantities[4] == "particle_shear_stress");
+  Complex sum = 0.0;
+  for (std::size_t k = 0; k < 20; ++k) {
+    const Complex stress(along.means[3][k].mean, along.means[4][k].mean);
+    const Complex expected = along.means[0][k].mean * stresslet / (pi * a * a);
+    BOOST_TEST(std::abs(stress - expected) < 1e-12);
+    sum += 0.4 * 2.0 * std::sqrt(16.0 - along.at[k] * along.at[k]) * stress;
+  }
+  BOOST_TEST(std::abs(sum - 3.0 * stresslet) < 0.02 * std::abs(stresslet));
+  // A small disk in the direction phi has the stresslet S e^{-2 i phi} in polar coordinates.
+  const double phi = 0.7;
+  const Measurement radial =
+      profile(with_bodies(container(4.0), Circle{0.01}, 1),
+              {{0.0}, {{at(std::polar(2.1, phi))}}, {{stresslet}}}, {}, Across::radius, 20);
+  const Complex stress(radial.means[3][10].mean, radial.means[4][10].mean);
+  const Complex expected = stresslet * std::polar(1.0, -2.0 * phi);
+  const double bin_area = pi * (2.2 * 2.2 - 2.0 * 2.0);
+  BOOST_TEST(std::abs(stress * bin_area - expected) < 0.02 * std::abs(expected));
+  // Without stresslets there is no stress.
+  BOOST_TEST(profile(scene, {frames.t, frames.bodies}, {}, Across::x, 20).means.size() == 3u);
 }
 
 BOOST_AUTO_TEST_CASE(tables_and_plots) {
