@@ -52,6 +52,31 @@ class Views(unittest.TestCase):
         self.assertEqual(quantities,
                          {"velocity", "pressure", "vorticity", "shear_stress", "dissipation"})
 
+    def test_plot_means_draws_means_intervals_and_laws_to_scale(self):
+        table, picture = (self.run_folder.parent / name for name in ("table.csv", "means.svg"))
+        table.write_text('channel,speed,speed_interval\n"[2.0, 1.5]",4.0,0.5\n"[2.0, 0.5]",2.0,1.0\n'
+                         '"[2.0, 1.0]",3.0,nan\n')
+        subprocess.run([sys.executable, "-B", VIEWS / "plot_means.py", table, "--x", "channel[0] * channel[1]",
+                        "--y", "speed", "--law", "1 + x", "--title", "3 < 4", "--out", picture], check=True)
+        svg = xml.parse(picture).getroot()
+        name = "{http://www.w3.org/2000/svg}"
+        self.assertEqual(svg.find(f"{name}title").text, "3 < 4")
+        means, law = (svg.find(f"{name}g[@class='{kind}']") for kind in ("line-0 means", "line-1"))
+        marks = [(float(mark.get("cx")), float(mark.get("cy"))) for mark in means.iter(f"{name}circle")]
+        lines = [[tuple(map(float, point.split())) for point in path.get("d")[1:].split("L")]
+                 for group in (means, law) for path in group.iter(f"{name}path")]
+        (x1, y1), (x2, y2), (x3, y3) = marks[:3]  # of the means 2, 3 and 4
+        self.assertAlmostEqual(x2 - x1, x3 - x2, delta=0.02)
+        self.assertAlmostEqual(y1 - y2, y2 - y3, delta=0.02)
+        unit = y1 - y2
+        bars = [line for line in lines[:6] if line[0][0] == line[1][0]]
+        self.assertEqual([bar[0][0] for bar in bars], [x1, x3])
+        for (bottom, top), y, half in zip(bars, (y1, y3), (1.0, 0.5)):
+            self.assertAlmostEqual(bottom[1], y + half * unit, delta=0.02)
+            self.assertAlmostEqual(top[1], y - half * unit, delta=0.02)
+        for x, y in (marks[0], marks[2]):  # 1 + x is 2 at x = 1, and 4 at x = 3
+            self.assertLess(min(abs(x - px) + abs(y - py) for px, py in lines[6]), 0.05)
+
 
 if __name__ == "__main__":
     sys.dont_write_bytecode = True
