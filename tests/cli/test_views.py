@@ -77,6 +77,18 @@ class Views(unittest.TestCase):
         for x, y in (marks[0], marks[2]):  # 1 + x is 2 at x = 1, and 4 at x = 3
             self.assertLess(min(abs(x - px) + abs(y - py) for px, py in lines[6]), 0.05)
 
+    def test_plot_means_refuses_what_is_not_in_the_table(self):
+        table = self.run_folder.parent / "few.csv"
+        table.write_text("a,b,b_interval\n1,2,0.1\n1,3,0.1\n")
+        for x, y, law, words in (("a", "c", "x", "'c'"), ("d", "b", "x", "name 'd'"),
+                                 ("a", "a", "x", "'a_interval'"), ("b", "b", "x +", "syntax"),
+                                 ("a", "b", "x", "all rows have a = 1.0")):
+            result = subprocess.run([sys.executable, "-B", VIEWS / "plot_means.py", table, "--x", x, "--y", y,
+                                     "--law", law, "--out", table.with_suffix(".svg")],
+                                    capture_output=True, text=True)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(words, result.stderr)
+
 
 if __name__ == "__main__":
     sys.dont_write_bytecode = True

@@ -57,7 +57,7 @@ def draw(means, laws, title, x_label, y_label):
     bars = [(x, mean - half, mean + half) for x, mean, half in means if half == half]
     all_y = [mean for _, mean, _ in means] + [end for _, *ends in bars for end in ends]
     all_y += [y for points in laws.values() for _, y in points]
-    margin = 0.05 * (max(all_y) - min(all_y))
+    margin = 0.05 * (max(all_y) - min(all_y)) or 1.0
     low_y, high_y = min(all_y) - margin, max(all_y) + margin
     low_x, high_x = means[0][0], means[-1][0]
     low_x, high_x = low_x - 0.03 * (high_x - low_x), high_x + 0.03 * (high_x - low_x)
@@ -112,10 +112,16 @@ def main():
     parser.add_argument("--y-label")
     parser.add_argument("--out", type=pathlib.Path, required=True)
     options = parser.parse_args()
-    means = read_means(options.table, options.x, options.y)
-    low, high = means[0][0], means[-1][0]
-    points = [low + (high - low) * k / 200 for k in range(201)]
-    laws = {law: [(x, value(law, {"x": x})) for x in points] for law in options.law}
+    try:
+        means = read_means(options.table, options.x, options.y)
+        low, high = means[0][0], means[-1][0]
+        points = [low + (high - low) * k / 200 for k in range(201)]
+        laws = {law: [(x, value(law, {"x": x})) for x in points] for law in options.law}
+    except (ArithmeticError, LookupError, NameError, SyntaxError, TypeError, ValueError) as error:
+        parser.error(f"{options.table}: {error}; --x requires an expression of the columns, --y a column "
+                     "with an interval, --law an expression of x")
+    if low == high:
+        parser.error(f"{options.table}: all rows have {options.x} = {low}; a plot requires two values")
     x_label, y_label = options.x_label or options.x, options.y_label or options.y
     options.out.write_text(draw(means, laws, options.title or f"{y_label} over {x_label}",
                                 x_label, y_label))
