@@ -264,7 +264,7 @@ Experiment vertices_for_a_separation() {
                                 .statement = "The vertices grow as the root of 1/separation.",
                                 .law = Algebraic{0.5, 0.02},
                                 .reason = "the sag is max |x'' across| (2 pi/M)^2/8",
-                                .api = {"stokesbook::contact_shape(const Shape&, Side, double)"}},
+                                .api = {"stokesbook::ContactShape"}},
                  .control = Control{"edges as long as the separation", vertex_counts(by_spacing)}},
                 {.key = "by_spacing",
                  .label = "edges as long as the separation",
