@@ -11,7 +11,7 @@ import subprocess
 ONE_TO_THREE = {"trapezoid", "double_layer", "closure"}
 METHODS = ONE_TO_THREE | {
     "null_space", "krylov", "near_singular", "stress", "fmm", "time_stepping", "stiv", "lcp",
-    "preconditioning"}
+    "preconditioning", "periodic"}
 
 # Room of src/ -> rooms that it may use, without cycles. Only suspension and cli use all methods.
 MAY_USE = {
@@ -28,6 +28,7 @@ MAY_USE = {
     "stiv": {"trapezoid"},
     "lcp": set(),
     "preconditioning": ONE_TO_THREE | {"null_space", "krylov", "fmm"},
+    "periodic": {"trapezoid", "fmm"},
     "suspension": METHODS | {"text", "scene", "record"},
     "scene": {"text", "trapezoid", "time_stepping"},
     "record": {"text", "trapezoid"},
@@ -41,7 +42,7 @@ MAY_USE = {
 }
 
 # Methods that a library may use although their chapters are read later.
-READ_LATER = {"suspension": {"preconditioning"}}
+READ_LATER = {"suspension": {"preconditioning", "periodic"}}
 
 # Folders of src/suspension: each folder may use itself and the folders before it.
 FOLDERS_OF_SUSPENSION = ["bodies", "nodes", "system", "solver", "contact", "motion"]

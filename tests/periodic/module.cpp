@@ -1,0 +1,3 @@
+// Defines the test module of the library periodic.
+#define BOOST_TEST_MODULE periodic
+#include <boost/test/unit_test.hpp>
