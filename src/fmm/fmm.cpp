@@ -59,6 +59,31 @@ void require_apart(const Quadtree& targets, Index target_count, const ComplexVec
   }
 }
 
+// Returns the smallest disk that contains the disks of two boxes.
+Box enclose(const Box& a, const Box& b) {
+  const double distance = std::abs(b.centre - a.centre);
+  if (distance + b.radius <= a.radius) return a;
+  if (distance + a.radius <= b.radius) return b;
+  Box disk;
+  disk.radius = 0.5 * (distance + a.radius + b.radius);
+  disk.centre = a.centre + (disk.radius - a.radius) / distance * (b.centre - a.centre);
+  return disk;
+}
+
+// Returns a box that is moved by a vector.
+Box moved(Box box, Complex vector) {
+  box.centre += vector;
+  return box;
+}
+
+// Returns points that are moved by a vector.
+VectorGroup moved(const VectorGroup& points, Complex vector) {
+  VectorGroup result = points;
+  for (double& x : result.x) x += vector.real();
+  for (double& y : result.y) y += vector.imag();
+  return result;
+}
+
 // Calls work(first field, number of fields) for blocks of four, two or one fields. The number is a
 // constant of the compiler.
 template <class Work>
@@ -89,17 +114,19 @@ FmmWorkspace::FmmWorkspace(const Fmm& plan, Index fields)
       points_(static_cast<std::size_t>(plan.point_count_ * fields)),
       multipole_(plan.sources().box_count(), fields, plan.translations_.order()),
       local_(plan.targets().box_count(), fields, plan.translations_.order()),
+      cell_(plan.images_.far ? 2 : 0, 1, plan.translations_.order()),
       velocity_(plan.target_count_, fields) {}
 
-Fmm::Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const FmmSettings& settings)
-    : Fmm(settings, StressletNodes(curves), points, nullptr) {}
+Fmm::Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const FmmSettings& settings,
+         const FmmImagePlan& images)
+    : Fmm(settings, StressletNodes(curves), points, nullptr, images) {}
 
 Fmm::Fmm(const std::vector<Curve>& curves, const ComplexVector& points,
-         const ComplexVector& targets, const FmmSettings& settings)
-    : Fmm(settings, StressletNodes(curves), points, &targets) {}
+         const ComplexVector& targets, const FmmSettings& settings, const FmmImagePlan& images)
+    : Fmm(settings, StressletNodes(curves), points, &targets, images) {}
 
 Fmm::Fmm(const FmmSettings& settings, const StressletNodes& nodes, const ComplexVector& points,
-         const ComplexVector* targets)
+         const ComplexVector* targets, const FmmImagePlan& images)
     : translations_(settings.order),
       node_count_(nodes.size()),
       point_count_(points.size()),
@@ -112,7 +139,14 @@ Fmm::Fmm(const FmmSettings& settings, const StressletNodes& nodes, const Complex
   if (targets != nullptr) targets_.emplace(*targets, Eigen::VectorXd{}, settings.leaf_size);
   // p^2 / 2 pairs of points cost as much as one M2L translation (08.14).
   const Index direct_pairs = settings.order * settings.order / 2;
-  interactions_ = find_interactions(this->targets(), sources_, direct_pairs);
+  interactions_.push_back(find_interactions(this->targets(), sources_, direct_pairs));
+  if (images && sources_.size() > 0 && this->targets().size() > 0) {
+    cell_ = enclose(sources_.boxes.front(), this->targets().boxes.front());
+    images_ = images(cell_.radius, settings.order);
+    for (const Complex w : images_.near) {
+      interactions_.push_back(find_interactions(this->targets(), sources_, direct_pairs, w));
+    }
+  }
   for (Index i = 0; i < sources_.size(); ++i) {
     const Index source = sources_.order[static_cast<std::size_t>(i)];
     const bool is_node = source < node_count_;
@@ -142,6 +176,7 @@ void Fmm::check(const FmmStrengths& strengths, const FmmWorkspace& work) const {
           work.multipole_.columns() ==
               sources_.box_count() * fields * (translations_.order() + 1) &&
           work.local_.columns() == targets().box_count() * fields * (translations_.order() + 1) &&
+          work.cell_.columns() == (images_.far ? 2 : 0) * (translations_.order() + 1) &&
           fits(density, node_count_) &&
           (without_points || (fits(force, point_count_) && fits(torque, point_count_))),
       "sizes do not agree: the plan has ", node_count_, " nodes, ", point_count_, " points and ",
@@ -227,11 +262,14 @@ void Fmm::sum_locals(FmmWorkspace& work) const {
   for (Index b = 0; b < targets().box_count(); ++b) {
     work.local_.clear(b);
     for (Index field = 0; field < fields; ++field) {
-      translations_.m2l(sources_.boxes, work.multipole_,
-                        interactions_.far[static_cast<std::size_t>(b)], field,
-                        boxes[static_cast<std::size_t>(b)], work.local_(b, field));
+      for (const Interactions& image : interactions_) {
+        translations_.m2l(sources_.boxes, work.multipole_, image.far[static_cast<std::size_t>(b)],
+                          field, moved(boxes[static_cast<std::size_t>(b)], -image.shift),
+                          work.local_(b, field));
+      }
     }
   }
+  if (images_.far) add_far_images(work);
   for (std::size_t level = 1; level + 1 < levels.size(); ++level) {
 #pragma omp parallel for schedule(dynamic, 8) if (levels[level + 1] - levels[level] > few_boxes)
     for (Index b = levels[level]; b < levels[level + 1]; ++b) {
@@ -241,6 +279,17 @@ void Fmm::sum_locals(FmmWorkspace& work) const {
                           work.local_(box.parent, field), box, work.local_(b, field));
       }
     }
+  }
+}
+
+// Adds the far images of all sources to the local expansions of the targets' root: M2M to the cell,
+// the map of the images, and L2L.
+void Fmm::add_far_images(FmmWorkspace& work) const {
+  for (Index field = 0; field < work.velocity_.cols(); ++field) {
+    for (Index b = 0; b < 2; ++b) work.cell_.clear(b);
+    translations_.m2m(sources_.boxes.front(), work.multipole_(0, field), cell_, work.cell_(0, 0));
+    images_.far(work.cell_(0, 0), work.cell_(1, 0));
+    translations_.l2l(cell_, work.cell_(1, 0), targets().boxes.front(), work.local_(0, field));
   }
 }
 
@@ -259,11 +308,14 @@ void Fmm::sum_group(Index b, Index first, Index field, FmmWorkspace& work) const
   const VectorGroup group = group_of(targets().x, targets().y, first, box.last);
   const Index count = std::min<Index>(VectorGroup::size, box.last - first);
   std::array<VectorGroup, fields> sum{};
-  for (const Range range : interactions_.near[static_cast<std::size_t>(b)]) {
-    add_velocities<fields>(nodes(range, field, work), group, sum);
-    for (Index f = 0; f < fields; ++f) {
-      for (const PointForce& point : points(range, field + f, work)) {
-        add_velocities(point, count, group, sum[static_cast<std::size_t>(f)]);
+  for (const Interactions& image : interactions_) {
+    const VectorGroup from_image = moved(group, -image.shift);
+    for (const Range range : image.near[static_cast<std::size_t>(b)]) {
+      add_velocities<fields>(nodes(range, field, work), from_image, sum);
+      for (Index f = 0; f < fields; ++f) {
+        for (const PointForce& point : points(range, field + f, work)) {
+          add_velocities(point, count, from_image, sum[static_cast<std::size_t>(f)]);
+        }
       }
     }
   }
@@ -304,11 +356,15 @@ FlowDerivatives Fmm::derivatives_at(Index b, Index target, Index field,
   const Box& box = targets().boxes[static_cast<std::size_t>(b)];
   const Complex z{targets().x[target], targets().y[target]};
   FlowDerivatives sum = l2p_derivatives(box, work.local_(b, field), z);
-  for (const Range range : interactions_.near[static_cast<std::size_t>(b)]) {
-    add_derivatives(nodes(range, field, work), z, sum);
-    for (const PointForce& point : points(range, field, work)) {
-      sum += stokeslet_derivatives(z - point.position, point.force, 1.0);
-      sum += rotlet_derivatives(z - point.position, point.torque, 1.0);
+  for (const Interactions& image : interactions_) {
+    const Complex from_image = z - image.shift;
+    for (const Range range : image.near[static_cast<std::size_t>(b)]) {
+      add_derivatives(nodes(range, field, work), from_image, sum);
+      for (const PointForce& point : points(range, field, work)) {
+        const Complex r = from_image - point.position;
+        sum += stokeslet_derivatives(r, point.force, 1.0);
+        sum += rotlet_derivatives(r, point.torque, 1.0);
+      }
     }
   }
   return sum;

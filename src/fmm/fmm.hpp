@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -70,6 +71,18 @@ struct FmmStrengths {
   Eigen::Ref<const Eigen::MatrixXd> torque;
 };
 
+/// Copies of all sources, each moved by a vector, whose flow an Fmm adds to that of the sources.
+struct FmmImages {
+  std::vector<Complex> near;  ///< vectors of the copies that the tree finds, length
+  /// Adds the local expansion of all other copies, from the multipole expansion of the sources,
+  /// both about the centre of the disk of an FmmImagePlan; empty if there are no such copies.
+  std::function<void(Eigen::Ref<const Expansion>, Eigen::Ref<Expansion>)> far;
+};
+
+/// Chooses the images of the sources, given the radius of a disk that contains all sources and
+/// targets, length, and the order of the expansions.
+using FmmImagePlan = std::function<FmmImages(double radius, int order)>;
+
 class Fmm;
 
 /// Memory for applications of an Fmm, which also holds their results. Several threads may apply one
@@ -78,10 +91,10 @@ class FmmWorkspace {
   friend class Fmm;
   FmmWorkspace(const Fmm& plan, Eigen::Index fields);
 
-  Eigen::MatrixXd ex_, ey_;         // densities in the sources' order, one column per field
-  std::vector<PointForce> points_;  // in the sources' order, field after field
-  bool without_points_ = false;     // the last strengths had no forces and torques
-  Expansions multipole_, local_;
+  Eigen::MatrixXd ex_, ey_;              // densities in the sources' order, one column per field
+  std::vector<PointForce> points_;       // in the sources' order, field after field
+  bool without_points_ = false;          // the last strengths had no forces and torques
+  Expansions multipole_, local_, cell_;  // cell: multipole and local expansion of the far images
   Eigen::MatrixXcd velocity_;
   std::vector<FlowDerivatives> derivatives_;
 };
@@ -91,7 +104,8 @@ class FmmWorkspace {
 ///
 /// The sum over nodes is that of StressletSum, with the same lower bound on distances. Each point
 /// adds stokeslet() with gauge 1 and rotlet(). Another gauge \f$ \ell \f$ adds the
-/// uniform velocity \f$ F\log\ell/4\pi\mu \f$.
+/// uniform velocity \f$ F\log\ell/4\pi\mu \f$. Images of the sources, such as those of a periodic
+/// cell, use the expansions of the sources themselves.
 ///
 /// @par Accuracy  the tolerance of FmmSettings::for_tolerance(), relative in the 2-norm:
 ///                @ref claim_08_14 to @ref claim_08_16, difficult sets of points @ref claim_08_21
@@ -106,14 +120,16 @@ class Fmm {
   ///
   /// @param  curves    n nodes in all, in this order
   /// @param  points    m positions of forces and torques, length
+  /// @param  images    chooses the images of the sources; empty: none
   /// @throws std::invalid_argument when a node or point is not finite, a node is at a point, or a
   ///                   setting is out of range
   /// @par Cost         O(n log n)
-  Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const FmmSettings& settings);
+  Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const FmmSettings& settings,
+      const FmmImagePlan& images = {});
 
   /// Plans the sum at other targets. Parameters, exceptions and cost are otherwise the same.
   Fmm(const std::vector<Curve>& curves, const ComplexVector& points, const ComplexVector& targets,
-      const FmmSettings& settings);
+      const FmmSettings& settings, const FmmImagePlan& images = {});
 
   /// Allocates the memory of applications of this plan only, for a number k >= 1 of fields that are
   /// summed at once.
@@ -149,13 +165,18 @@ class Fmm {
   /// Returns the tree of the targets, or that of the sources if the nodes are the targets.
   const Quadtree& targets() const { return targets_ ? *targets_ : sources_; }
 
-  /// Returns the lists of sources for every box of targets.
-  const Interactions& interactions() const { return interactions_; }
+  /// Returns the lists of sources for every box of targets, first those of the sources themselves,
+  /// then those of each near image.
+  const std::vector<Interactions>& interactions() const { return interactions_; }
+
+  /// Returns the disk that contains the boxes of all sources and of all targets; without images,
+  /// the disk is not computed.
+  const Box& cell() const { return cell_; }
 
  private:
   friend class FmmWorkspace;
   Fmm(const FmmSettings& settings, const StressletNodes& nodes, const ComplexVector& points,
-      const ComplexVector* targets);
+      const ComplexVector* targets, const FmmImagePlan& images);
 
   void check(const FmmStrengths& strengths, const FmmWorkspace& work) const;
   StressletBlock nodes(Range sources, Eigen::Index field, const FmmWorkspace& work) const;
@@ -164,6 +185,7 @@ class Fmm {
   void sort_strengths(const FmmStrengths& strengths, FmmWorkspace& work) const;
   void sum_multipoles(FmmWorkspace& work) const;
   void sum_locals(FmmWorkspace& work) const;
+  void add_far_images(FmmWorkspace& work) const;
   void expand(const FmmStrengths& strengths, FmmWorkspace& work) const;
   template <int fields>
   void sum_group(Eigen::Index box, Eigen::Index first, Eigen::Index field,
@@ -175,7 +197,9 @@ class Fmm {
   Eigen::Index node_count_, point_count_, target_count_;
   Quadtree sources_;  // nodes, then points
   std::optional<Quadtree> targets_;
-  Interactions interactions_;
+  Box cell_;  // disk that contains the boxes of all sources and of all targets
+  FmmImages images_;
+  std::vector<Interactions> interactions_;
   // In the sources' order. Each point force is stored as a node of zero weight, and in addition as
   // a PointForce.
   Eigen::VectorXd nx_, ny_;                  // normal times weight over pi

@@ -13,9 +13,9 @@ namespace {
 
 // Both conditions of (08.8) with rho = 1/2: R_t + R_s + max(R_t, R_s) < |D|. The strict inequality
 // excludes boxes at the same place, however small.
-bool well_separated(const Box& target, const Box& source) {
+bool well_separated(const Box& target, const Box& source, Complex shift) {
   const double reach = target.radius + source.radius + std::max(target.radius, source.radius);
-  return reach * reach < std::norm(target.centre - source.centre);
+  return reach * reach < std::norm(target.centre - source.centre - shift);
 }
 
 // Adds the points of a box to the ranges of one target. The sources of a target are in the order of
@@ -35,7 +35,7 @@ struct Traversal {
 
   void visit(std::size_t t, std::size_t s) {
     const Box &target = targets[t], &source = sources[s];
-    const bool separated = well_separated(target, source);
+    const bool separated = well_separated(target, source, found.shift);
     const bool cheap = target.is_leaf() && target.size() * source.size() <= direct_pairs;
     if (separated && !cheap) {
       found.far[t].push_back(static_cast<Index>(s));
@@ -55,10 +55,10 @@ struct Traversal {
 
 }  // namespace
 
-Interactions find_interactions(const Quadtree& targets, const Quadtree& sources,
-                               Index direct_pairs) {
+Interactions find_interactions(const Quadtree& targets, const Quadtree& sources, Index direct_pairs,
+                               Complex shift) {
   const std::size_t count = targets.boxes.size();
-  Traversal traversal{targets.boxes, sources.boxes, direct_pairs, {}};
+  Traversal traversal{targets.boxes, sources.boxes, direct_pairs, {shift, {}, {}}};
   traversal.found.far.resize(count);
   traversal.found.near.resize(count);
   if (count > 0 && !sources.boxes.empty()) traversal.visit(0, 0);

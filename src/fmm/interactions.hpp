@@ -14,11 +14,12 @@ struct Range {
 
 /// The interactions between the boxes of two trees: two lists for each target box.
 struct Interactions {
+  Complex shift;                               ///< vector by which the sources are moved, length
   std::vector<std::vector<Eigen::Index>> far;  ///< source boxes that are converted (M2L)
   std::vector<std::vector<Range>> near;        ///< source points that are summed directly
 };
 
-/// Finds the interactions by a dual-tree traversal.
+/// Finds the interactions by a dual-tree traversal, with all sources moved by a vector.
 ///
 /// Boxes are well separated when \f$ R_s < \rho(|D| - R_t) \f$ and
 /// \f$ R_t < \rho(|D| - R_s) \f$ with \f$ \rho = 1/2 \f$ (08.8): every expansion then falls like
@@ -29,6 +30,6 @@ struct Interactions {
 /// within the source's margin. Every pair of a target and a source is in exactly one interaction.
 /// @par Cost  O(number of boxes)
 Interactions find_interactions(const Quadtree& targets, const Quadtree& sources,
-                               Eigen::Index direct_pairs);
+                               Eigen::Index direct_pairs, Complex shift = {});
 
 }  // namespace stokesbook

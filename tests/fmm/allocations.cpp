@@ -91,6 +91,14 @@ BOOST_AUTO_TEST_CASE(applications_do_not_allocate) {
     BOOST_TEST(allocations([&] { fmm.velocity(all, work); }) == 0);
     BOOST_TEST(allocations([&] { fmm.derivatives(all, work); }) == 0);
   }
+  // Images require no memory during an application.
+  const Fmm with_images(test::ellipses(6, 64), {}, {20, 30}, [](double, int) {
+    return FmmImages{{{10.0, 0.0}}, [](auto multipole, auto local) { local += multipole; }};
+  });
+  const Eigen::MatrixXcd two_fields = Eigen::MatrixXcd::Random(36 * 64, 2);
+  FmmWorkspace two = with_images.workspace(2);
+  const FmmStrengths strengths(two_fields);
+  BOOST_TEST(allocations([&] { with_images.velocity(strengths, two); }) == 0);
   // Views of vectors require no memory either.
   const ComplexVector density = random_vector(36 * 64, 2);
   FmmWorkspace work = fmm.workspace();

@@ -26,7 +26,7 @@ Eigen::MatrixXi counts(const Quadtree& targets, const Quadtree& sources,
     for (const Index s : interactions.far[t]) {
       const Box& source = sources.boxes[static_cast<std::size_t>(s)];
       add(source.first, source.last);
-      const double distance = std::abs(target.centre - source.centre);
+      const double distance = std::abs(target.centre - source.centre - interactions.shift);
       BOOST_TEST_REQUIRE(source.radius < 0.5 * (distance - target.radius) * (1.0 + 1e-14));
       BOOST_TEST_REQUIRE(target.radius < 0.5 * (distance - source.radius) * (1.0 + 1e-14));
     }
@@ -51,8 +51,12 @@ BOOST_AUTO_TEST_CASE(every_pair_once) {
           const Quadtree others(2.0 * test::random_vector(300, 3), {}, 2 * leaf_size);
           for (const Quadtree* targets : {&tree, &others}) {
             for (const Quadtree* sources : {&tree, &others}) {
-              const Interactions found = find_interactions(*targets, *sources, direct_pairs);
-              BOOST_TEST((counts(*targets, *sources, found).array() == 1).all());
+              for (const Complex shift : {Complex{}, Complex{1.0, -0.3}}) {
+                const Interactions found =
+                    find_interactions(*targets, *sources, direct_pairs, shift);
+                BOOST_TEST(found.shift == shift);
+                BOOST_TEST((counts(*targets, *sources, found).array() == 1).all());
+              }
             }
           }
         }
