@@ -1,0 +1,298 @@
+// Checks solutions of the boundary integral equation in cells: drag of arrays of disks (Sangani and
+// Acrivos), a worm that crosses the edges of its cell, sheared arrays of disks, three loaded bodies,
+// and invariances.
+#include <cmath>
+#include <numbers>
+
+#include <boost/test/unit_test.hpp>
+
+#include "cells.hpp"
+#include "fmm/fmm.hpp"
+#include "support/vectors.hpp"
+
+using namespace stokesbook;
+using Eigen::Index;
+using std::numbers::pi;
+using test::Cell;
+using test::CellBody;
+using test::CellMotion;
+using test::CellSolution;
+
+namespace {
+
+// All near images are summed directly; the order suffices for rounding.
+constexpr FmmSettings direct{44, 100000};
+
+CellBody body(const Shape& shape, Complex centre, double angle, Index n) {
+  return {place(sample(shape, n, Side::fluid_outside), centre, angle), centre, {}};
+}
+
+Cell disk_in_a_cell(Complex a1, Complex a2, double area_fraction, Index n) {
+  const Lattice lattice(a1, a2);
+  const double radius = std::sqrt(area_fraction * lattice.area() / pi);
+  return {lattice, {body(Ellipse{radius, radius}, {0.1, -0.2}, 0.0, n)}};
+}
+
+// Sets the flow u = (y, 0) about x_0.
+void set_shear(Cell& cell) {
+  cell.vorticity = -1.0;
+  cell.strain = imaginary;
+}
+
+void check(Complex found, Complex exact, double tolerance) {
+  BOOST_TEST(std::abs(found - exact) < tolerance * (1.0 + std::abs(exact)));
+}
+
+// Three bodies with loads in a general cell and a general linear flow.
+Cell three_bodies(Index n) {
+  Cell cell{Lattice({2.2, 0.1}, {0.5, 1.9}),
+            {body(Ellipse{0.4, 0.2}, {-0.45, 0.35}, 0.5, n),
+             body(Ellipse{0.35, 0.25}, {0.5, 0.2}, -0.7, n),
+             body(Ellipse{0.3, 0.3}, {0.1, -0.55}, 0.0, n)}};
+  cell.viscosity = 1.3;
+  cell.vorticity = -1.3;  // G = [[0.2, 1], [-0.3, -0.2]]
+  cell.strain = {0.4, 0.7};
+  cell.mean_velocity = {0.1, -0.2};
+  const Complex forces[] = {{1.0, 0.5}, {-0.3, 0.2}, {-0.7, -0.7}};
+  const double torques[] = {0.3, -0.2, 0.5};
+  for (std::size_t k = 0; k < 3; ++k) {
+    cell.bodies[k].force = forces[k];
+    cell.bodies[k].torque = torques[k];
+  }
+  return cell;
+}
+
+void check_motions(const CellSolution& found, const std::vector<CellMotion>& exact,
+                   double tolerance) {
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    BOOST_TEST_CONTEXT("body " << k + 1) {
+      check(found.bodies[k].velocity, exact[k].velocity, tolerance);
+      check(found.bodies[k].omega, exact[k].omega, tolerance);
+      check(found.bodies[k].stresslet, exact[k].stresslet, tolerance);
+    }
+  }
+}
+
+}  // namespace
+
+// The drag D = F / (mu U) of held disks in a square array, U the mean velocity.
+BOOST_AUTO_TEST_CASE(square_array_drag) {
+  const std::pair<double, double> rows[] = {
+      {0.05, 15.5578223189023}, {0.2, 51.5269489617989}, {0.4, 217.894314722122}};
+  for (const auto& [area_fraction, drag] : rows) {
+    Cell cell = disk_in_a_cell({1.0, 0.0}, {0.0, 1.0}, area_fraction, 80);
+    cell.bodies[0].held = RigidMotion{};
+    cell.mean_velocity = 1.0;
+    check(-solve(cell, direct).bodies[0].force, drag, 1e-11);
+    cell.pressure_gradient = -1.0;
+    const CellSolution driven = solve(cell, direct);
+    check(driven.mean_velocity, 1.0 / drag, 1e-12);
+    check(driven.bodies[0].force, -1.0, 1e-13);
+  }
+}
+
+// The double layer of the curve crosses the edges of the cell.
+BOOST_AUTO_TEST_CASE(worm_array) {
+  const Index n = 140;
+  Curve worm{ComplexVector(n), ComplexVector(n), ComplexVector(n), Side::fluid_outside};
+  for (Index i = 0; i < n; ++i) {
+    const double t = 2.0 * pi * static_cast<double>(i) / static_cast<double>(n);
+    const double x = 0.7 * std::cos(t), dx = -0.7 * std::sin(t), ddx = -x;
+    const double wave = std::cos(2.0 * x), bend = std::sin(2.0 * x);
+    worm.x[i] = {x, 0.15 * std::sin(t) + 0.3 * bend};
+    worm.dx[i] = {dx, 0.15 * std::cos(t) + 0.6 * wave * dx};
+    worm.ddx[i] = {ddx, -0.15 * std::sin(t) + 0.6 * wave * ddx - 1.2 * bend * dx * dx};
+  }
+  Cell cell{Lattice({1.0, 0.0}, {0.0, 1.0}), {{worm, 0.0, 0.0, 0.0, RigidMotion{}}}, 0.7};
+  cell.pressure_gradient = -1.0;
+  const CellSolution along = solve(cell, direct, ComplexVector{{Complex{0.1, 0.4}}});
+  check(along.mean_velocity, {0.008234042360237, 0.002263863756014}, 1e-10);
+  check(along.velocity[0], {0.016778793238148, 0.005152952236958}, 1e-10);
+  cell.pressure_gradient = -imaginary;
+  check(solve(cell, direct).mean_velocity, {0.002263863756014, 0.002195437715081}, 1e-10);
+}
+
+// One free disk per unit cell in the shear u = (y, 0): omega, and the stresslet S_11 + i S_12. The
+// lattice is sheared by gamma.
+BOOST_AUTO_TEST_CASE(sheared_array) {
+  struct Row {
+    double area_fraction, gamma, omega, s11, s12;
+  };
+  const Row rows[] = {{0.1, 0.0, -0.5, 0.0, 0.1922241876481},
+                      {0.1, 0.3, -0.4934949184144, -0.0103051546494, 0.2041224204697},
+                      {0.3, 0.0, -0.5, 0.0, 0.5981159774156},
+                      {0.3, 0.3, -0.4784535908960, -0.1280598791163, 0.7140916371852},
+                      {0.3, 0.5, -0.4683058369728, 0.0, 0.7652219275542},
+                      {0.3, 1.3, -0.4784535908960, -0.1280598791163, 0.7140916371852},
+                      {0.3, -0.3, -0.4784535908960, 0.1280598791163, 0.7140916371852}};
+  for (const Row& row : rows) {
+    BOOST_TEST_CONTEXT("area fraction " << row.area_fraction << ", gamma " << row.gamma) {
+      Cell cell = disk_in_a_cell({1.0, 0.0}, {row.gamma, 1.0}, row.area_fraction, 80);
+      set_shear(cell);
+      const CellMotion found = solve(cell, direct).bodies[0];
+      BOOST_TEST(std::abs(found.omega - row.omega) < 2e-12);
+      check(found.stresslet, {row.s11, row.s12}, 2e-12);
+      // The velocity is that of the mean flow at the centre.
+      check(found.velocity, cell.linear_velocity(cell.bodies[0].centre), 2e-12);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(three_loaded_bodies) {
+  Cell cell = three_bodies(72);
+  const ComplexVector origin = ComplexVector::Zero(1);
+  const CellSolution balanced = solve(cell, direct, origin);
+  check(balanced.velocity[0], {0.198124534010342, -0.14422252760137}, 1e-10);
+  check_motions(balanced,
+                {{{0.39601410182238, -0.06581598561613},
+                  -0.44525750242194,
+                  {},
+                  0.0,
+                  {0.5286313435274, 0.6429297159740}},
+                 {{0.36960241794474, -0.42898128674961},
+                  -0.73474765620486,
+                  {},
+                  0.0,
+                  {0.3752488101818, 0.5694440451738}},
+                 {{-0.43450987131629, -0.16322306429734},
+                  -0.45084613631613,
+                  {},
+                  0.0,
+                  {0.1818482256441, 0.6784713645989}}},
+                1e-10);
+  cell.bodies[2].force = {0.4, -1.0};
+  const CellSolution net = solve(cell, direct, origin);
+  check(net.velocity[0], {0.183373034927, -0.154671973769201}, 1e-10);
+  const std::vector<CellMotion> motions = {{{0.38247565798551, -0.07156265243420},
+                                            -0.42679767388143,
+                                            {},
+                                            0.0,
+                                            {0.4963497092340, 0.6420373219116}},
+                                           {{0.34615696960301, -0.41969417595166},
+                                            -0.70914623880336,
+                                            {},
+                                            0.0,
+                                            {0.3947726074469, 0.5350745870436}},
+                                           {{-0.39853694849390, -0.17357522244044},
+                                            -0.45172059205954,
+                                            {},
+                                            0.0,
+                                            {0.1925221089259, 0.6670942196603}}};
+  check_motions(net, motions, 1e-10);
+  // If these motions are given, the same loads result.
+  Cell held = cell;
+  for (std::size_t k = 0; k < 3; ++k) {
+    held.bodies[k].held = RigidMotion{net.bodies[k].velocity, net.bodies[k].omega};
+  }
+  const CellSolution back = solve(held, direct);
+  for (std::size_t k = 0; k < 3; ++k) {
+    check(back.bodies[k].force, cell.bodies[k].force, 1e-10);
+    check(back.bodies[k].torque, cell.bodies[k].torque, 1e-10);
+    check(back.bodies[k].stresslet, net.bodies[k].stresslet, 1e-10);
+  }
+}
+
+// The disk is held; either the mean velocity or the mean gradient of the pressure is given.
+BOOST_AUTO_TEST_CASE(held_and_free_bodies) {
+  Cell cell = three_bodies(72);
+  cell.bodies[2].held = RigidMotion{{0.2, 0.1}, 0.7};
+  const CellSolution stream = solve(cell, direct);
+  check(stream.bodies[2].force, {18.6464917809842, 6.5803182049997}, 1e-10);
+  check(stream.bodies[2].torque, 2.3170286884095, 1e-10);
+  check_motions(stream,
+                {{{0.08431332706598, -0.31564055738483},
+                  -0.05247769039774,
+                  {},
+                  0.0,
+                  {0.2435973287418, 1.1975496286535}},
+                 {{0.08035611130093, -0.09500853260671},
+                  -0.49186002351603,
+                  {},
+                  0.0,
+                  {0.8049932216459, -0.4776480031145}}},
+                1e-10);
+  cell.pressure_gradient = Complex{0.5, -0.25};
+  const CellSolution driven = solve(cell, direct);
+  check(driven.mean_velocity, {0.66510429030832, 0.08633742673165}, 1e-10);
+  check(driven.bodies[2].force, {1.365, -1.7325}, 1e-12);
+  check(driven.bodies[2].torque, 2.4351935014331, 1e-10);
+  check_motions(driven,
+                {{{0.91622189262635, 0.18541066923533},
+                  -0.43867857017727,
+                  {},
+                  0.0,
+                  {0.4001898559697, 0.6184250833834}},
+                 {{0.85592229623693, -0.09983717110596},
+                  -0.71215579344184,
+                  {},
+                  0.0,
+                  {0.6010252618627, 0.7347801057106}}},
+                1e-10);
+}
+
+// Every description of the same physical problem gives the same motions.
+BOOST_AUTO_TEST_CASE(invariances) {
+  Cell cell = three_bodies(40);
+  cell.bodies[2].force = {0.4, -1.0};
+  const CellSolution exact = solve(cell, direct);
+  const Complex a1{2.2, 0.1}, a2{0.5, 1.9};
+  const auto motions = [&](Cell changed) { return solve(changed, direct).bodies; };
+  const auto compare = [&](const std::vector<CellMotion>& found, Complex turn = 1.0) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      check(found[k].velocity / turn, exact.bodies[k].velocity, 1e-12);
+      check(found[k].omega, exact.bodies[k].omega, 1e-12);
+      check(found[k].stresslet / (turn * turn), exact.bodies[k].stresslet, 1e-12);
+    }
+  };
+  BOOST_TEST_CONTEXT("a body moved by a lattice vector") {
+    Cell moved = cell;
+    const Complex w = a1 - 2.0 * a2;
+    moved.bodies[1].curve = place(moved.bodies[1].curve, w, 0.0);
+    moved.bodies[1].centre += w;
+    std::vector<CellMotion> found = motions(moved);
+    found[1].velocity -= cell.linear_velocity(w) - cell.linear_velocity(0.0);
+    compare(found);
+  }
+  BOOST_TEST_CONTEXT("everything moved, far from the origin") {
+    for (const Complex shift : {Complex{0.7, -0.4}, Complex{300.0, 1000.0}}) {
+      Cell moved = cell;
+      moved.origin += shift;
+      for (CellBody& some : moved.bodies) {
+        some.curve = place(some.curve, shift, 0.0);
+        some.centre += shift;
+      }
+      compare(motions(moved));
+    }
+  }
+  BOOST_TEST_CONTEXT("another basis") {
+    for (const Lattice& lattice :
+         {Lattice(a1, a2 + a1), Lattice(a1 + 3.0 * a2, 2.0 * a1 + 7.0 * a2)}) {
+      Cell other = cell;
+      other.lattice = lattice;
+      compare(motions(other));
+    }
+  }
+  BOOST_TEST_CONTEXT("frame turned") {
+    Cell turned = cell;
+    const Complex turn = std::polar(1.0, 0.6);
+    turned.lattice = Lattice(turn * a1, turn * a2);
+    turned.strain *= turn * turn;
+    turned.mean_velocity *= turn;
+    for (CellBody& some : turned.bodies) {
+      some.curve = place(some.curve, 0.0, 0.6);
+      some.centre *= turn;
+      some.force *= turn;
+    }
+    compare(motions(turned), turn);
+  }
+  BOOST_TEST_CONTEXT("two cells as one") {
+    Cell twice = cell;
+    twice.lattice = Lattice(2.0 * a1, a2);
+    for (const CellBody& some : cell.bodies) {
+      twice.bodies.push_back(some);
+      twice.bodies.back().curve = place(some.curve, a1, 0.0);
+      twice.bodies.back().centre += a1;
+    }
+    compare(motions(twice));
+  }
+}
