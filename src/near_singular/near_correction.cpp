@@ -63,10 +63,11 @@ std::vector<FlowDerivatives> derivative_correction(const PlacedCurve& placed,
 }  // namespace
 
 NearCorrection::NearCorrection(std::vector<PlacedCurve> curves, const ComplexVector& targets,
-                               Targets kind, const NearSettings& settings)
+                               Targets kind, const NearSettings& settings,
+                               const std::vector<Complex>& images)
     : curves_(std::move(curves)),
       offsets_(node_offsets(curves_)),
-      near_(find_near_targets(curves_, targets, kind, settings.tolerance)),
+      near_(find_near_targets(curves_, targets, kind, settings.tolerance, images)),
       target_count_(targets.size()) {
   std::map<CloseScheme, std::size_t> group_of;
   for (std::size_t k = 0; k < curves_.size(); ++k) {
@@ -148,11 +149,12 @@ Index NearCorrection::pair_count() const {
 std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<PlacedCurve>& curves,
                                                          const ComplexVector& density,
                                                          const ComplexVector& targets,
-                                                         double tolerance) {
+                                                         double tolerance,
+                                                         const std::vector<Complex>& images) {
   for (const PlacedCurve& curve : curves) cauchy_of(curve);  // throws outside the parallel region
   const std::vector<Index> offsets = node_offsets(curves);
   const std::vector<NearTargets> near =
-      find_near_targets(curves, targets, Targets::points, tolerance);
+      find_near_targets(curves, targets, Targets::points, tolerance, images);
   std::vector<std::vector<FlowDerivatives>> corrections(curves.size());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < curves.size(); ++k) {

@@ -34,9 +34,10 @@ class NearCorrection {
   ///
   /// @param  curves   in the order of the densities
   /// @param  targets  m points, length
+  /// @param  images   vectors by which images of all curves, with the same densities, are moved
   /// @par Cost        that of find_near_targets(), and of the rows
   NearCorrection(std::vector<PlacedCurve> curves, const ComplexVector& targets, Targets kind,
-                 const NearSettings& settings);
+                 const NearSettings& settings, const std::vector<Complex>& images = {});
 
   /// Evaluates scheme minus trapezoid rule, summed over the near curves of each target (06.17).
   ///
@@ -78,6 +79,7 @@ class NearCorrection {
 /// @param  curves     placed curves, in the order of the densities, with the Cauchy scheme
 /// @param  density    at all nodes, in the curves' order, length / time
 /// @param  tolerance  relative to the densities' derivatives, > 0; decides which targets are near
+/// @param  images     vectors by which images of all curves are moved, length
 /// @return            one per target, zero at targets that are not near
 /// @throws std::invalid_argument when a curve has another scheme
 /// @par Accuracy  1e-11 relative, once the densities are resolved: @ref claim_06_8
@@ -85,6 +87,7 @@ class NearCorrection {
 std::vector<FlowDerivatives> near_derivative_corrections(const std::vector<PlacedCurve>& curves,
                                                          const ComplexVector& density,
                                                          const ComplexVector& targets,
-                                                         double tolerance);
+                                                         double tolerance,
+                                                         const std::vector<Complex>& images = {});
 
 }  // namespace stokesbook

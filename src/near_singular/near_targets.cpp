@@ -47,10 +47,12 @@ std::vector<Index> node_offsets(const std::vector<PlacedCurve>& curves) {
 
 std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curves,
                                            const ComplexVector& targets, Targets kind,
-                                           double tolerance) {
+                                           double tolerance, const std::vector<Complex>& images) {
   const std::vector<Index> runs = runs_of(curves, targets, kind);
   const RectangleIndex index(rectangles_of(targets, runs));
   std::vector<NearTargets> near(curves.size());
+  std::vector<Complex> shifts{0.0};
+  shifts.insert(shifts.end(), images.begin(), images.end());
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const Curve& curve = curves[k].curve();
@@ -58,13 +60,16 @@ std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curve
     // No target is near outside of the circle with this radius.
     const double reach = bounding_radius(curve, 0.0) + near_reach(curve, tolerance);
     std::vector<Complex> near_points;
-    for (const std::size_t run : index.meeting(square_about(curves[k].position, reach))) {
-      if (kind == Targets::own_nodes && run == k) continue;
-      for (Index i = runs[run]; i < runs[run + 1]; ++i) {
-        const Complex local = (targets[i] - curves[k].position) * turn;
-        if (std::abs(local) >= reach || !is_near(curve, local, tolerance)) continue;
-        near[k].index.push_back(i);
-        near_points.push_back(local);
+    for (const Complex shift : shifts) {
+      const Complex position = curves[k].position + shift;
+      for (const std::size_t run : index.meeting(square_about(position, reach))) {
+        if (kind == Targets::own_nodes && run == k && shift == 0.0) continue;
+        for (Index i = runs[run]; i < runs[run + 1]; ++i) {
+          const Complex local = (targets[i] - position) * turn;
+          if (std::abs(local) >= reach || !is_near(curve, local, tolerance)) continue;
+          near[k].index.push_back(i);
+          near_points.push_back(local);
+        }
       }
     }
     near[k].local = ComplexVector::Map(near_points.data(), std::ssize(near_points));

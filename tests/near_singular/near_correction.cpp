@@ -177,6 +177,45 @@ BOOST_AUTO_TEST_CASE(only_near_targets_are_corrected) {
   }
 }
 
+// Images of curves correct the nodes like further curves with the same densities, also the nodes of
+// their own curve: the first image of the circle nearly touches the circle itself.
+BOOST_AUTO_TEST_CASE(images_of_curves) {
+  const std::vector<Complex> images = {{2.02, 0.0}, {-0.4, -2.6}};
+  const std::vector<PlacedCurve> placed = {
+      {reference(Circle{1.0}, 96, Side::fluid_outside), {0.1, 0.0}, 0.3},
+      {reference(Ellipse{0.4, 0.2}, 64, Side::fluid_outside), {0.2, 1.3}, 0.1}};
+  const Assembly bodies(placed);
+  std::vector<PlacedCurve> copies = placed;
+  ComplexVector densities(3 * bodies.nodes.size());
+  densities << bodies.density, bodies.density, bodies.density;
+  for (const Complex w : images) {
+    for (PlacedCurve copy : placed) {
+      copy.position += w;
+      copies.push_back(copy);
+    }
+  }
+  const Assembly all(copies);
+  for (const NearStorage storage : {NearStorage::factored, NearStorage::explicit_rows}) {
+    const NearSettings settings{to_rounding, storage};
+    const NearCorrection near(placed, bodies.nodes, Targets::own_nodes, settings, images);
+    const ComplexVector exact =
+        NearCorrection(copies, all.nodes, Targets::own_nodes, settings)(densities).head(160);
+    BOOST_TEST(largest(near(bodies.density) - exact) < 1e-13);
+    BOOST_TEST(
+        largest(near(bodies.density) - NearCorrection(placed, bodies.nodes, Targets::own_nodes,
+                                                      settings)(bodies.density)) > 0.1);
+  }
+  const ComplexVector targets{{Complex{1.105, 0.0}, Complex{0.0, 1.06}, Complex{0.1, -1.02}}};
+  const auto found =
+      near_derivative_corrections(placed, bodies.density, targets, to_rounding, images);
+  const auto exact = near_derivative_corrections(copies, densities, targets, to_rounding);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double scale = 1.0 + std::abs(exact[i].strain);
+    BOOST_TEST(std::abs(found[i].pressure - exact[i].pressure) < 1e-12 * scale);
+    BOOST_TEST(std::abs(found[i].strain - exact[i].strain) < 1e-12 * scale);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_loose_tolerance_corrects_fewer_and_is_met) {
   const Assembly bodies = pair(0.05, 0.3, 1.0);
   const ComplexVector exact =
