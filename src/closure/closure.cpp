@@ -41,6 +41,7 @@ Completion with_balance(const StokesProblem& problem, Completion completion) {
 
 std::vector<double> stokeslet_gauges(const StokesProblem& problem) {
   const std::vector<Component>& components = problem.components;
+  if (problem.cell) return std::vector<double>(components.size(), 1.0);
   if (!is_bounded(problem) && problem.gauge_length) {
     return std::vector<double>(components.size(), *problem.gauge_length);
   }
@@ -67,8 +68,14 @@ Closure::Closure(const StokesProblem& problem)
     modes_.emplace_back();
     if (is_inner(component)) modes_.back().emplace(component.curve, component.centre);
   }
+  require(!problem.cell || (!is_bounded(problem) && !problem.gauge_length),
+          "a periodic cell has neither an enclosing wall nor a gauge length");
+  require(
+      !problem.cell || !problem.cell->pressure_gradient || prescribed_count_ > 0,
+      "the mean gradient of the pressure in a periodic cell is the total force over the area; it "
+      "can be given only if a component has a prescribed velocity");
   const Complex force = total_given_force(problem);
-  require(is_bounded(problem) || problem.gauge_length || prescribed_count_ > 0 ||
+  require(problem.cell || is_bounded(problem) || problem.gauge_length || prescribed_count_ > 0 ||
               !has_net_force(problem),
           "the forces in an unbounded fluid add up to (", force.real(), ", ", force.imag(),
           "), not zero: give a gauge length or balance the forces");
@@ -106,15 +113,17 @@ Complex Closure::mean_prescribed(const std::vector<RigidMotion>& rigid) const {
 }
 
 // F_w = -4 pi mu U_w and L_w = -4 pi mu a_w^2 omega_w on prescribed components; where a uniform
-// velocity is free, F_w = -4 pi mu (U_w - mean) - sum_p F_p / n_w (03.14). The given loads of free
-// bodies p are left out if `with_data` is false.
+// velocity is free, F_w = -4 pi mu (U_w - mean) - sum_p F_p / n_w (03.14), plus V P / n_w in a
+// periodic cell. The given loads of free bodies p are left out if `with_data` is false.
 std::vector<Load> Closure::inner_loads(const std::vector<RigidMotion>& rigid,
                                        bool with_data) const {
   const double scale = -4.0 * std::numbers::pi * problem_.viscosity;
   Complex mean{}, share{};
   if (free_uniform_velocity_) {
     mean = mean_prescribed(rigid);
-    share = total_given_force(problem_) / static_cast<double>(prescribed_count_);
+    Complex force = total_given_force(problem_);
+    if (problem_.cell) force -= problem_.cell->area() * *problem_.cell->pressure_gradient;
+    share = force / static_cast<double>(prescribed_count_);
   }
   std::vector<Load> loads(rigid.size());
   for (std::size_t k = 0; k < rigid.size(); ++k) {

@@ -33,7 +33,8 @@ Completion with_balance(const StokesProblem& problem, Completion completion);
 /// Otherwise the length is \f$ \ell = \sqrt e\, a \f$, for which the own block of a prescribed
 /// circle has the eigenvalues -1 and -1/2. This gauge cancels in a bounded fluid, and where a
 /// uniform velocity is free. All free bodies share the gauge length of the first one: if their
-/// forces balance, one common gauge cancels, whereas several would leave a uniform flow.
+/// forces balance, one common gauge cancels, whereas several would leave a uniform flow. The
+/// Stokeslets of a periodic cell have the mean zero, and no gauge: the length is 1.
 std::vector<double> stokeslet_gauges(const StokesProblem& problem);
 
 /// The reduced closure: ties rigid motions, forces and torques to the density without new unknowns.
@@ -54,6 +55,8 @@ std::vector<double> stokeslet_gauges(const StokesProblem& problem);
 /// uniform velocity u_c is free (03.14). Both hold by construction, with the mean \f$ \bar U \f$ of
 /// U[P eta] over the prescribed components:
 /// \f$ F_w = -4\pi\mu (U_w - \bar U) - \frac{1}{n_w}\sum_p F_p,\ u_c = -\bar U \f$.
+/// In a periodic cell with a given mean gradient P of the pressure, the total force is V P, and u_c
+/// is the mean velocity.
 ///
 /// All densities and velocities are those at all n nodes, component by component, length / time.
 /// @par Accuracy  that of the rule: geometric in the number of nodes, @ref claim_03_2; a uniform
@@ -64,7 +67,8 @@ class Closure {
   /// Prepares the rigid motions of all inner components.
   ///
   /// @throws std::invalid_argument when an unbounded problem has a net force, and neither a gauge
-  ///         length nor a prescribed component
+  ///         length nor a prescribed component; when a problem in a periodic cell has an enclosing
+  ///         wall or a gauge length, or a gradient of the pressure without prescribed components
   explicit Closure(const StokesProblem& problem);
 
   /// Removes the rigid part on all inner components: \f$ (I - P)\eta \f$.

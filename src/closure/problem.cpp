@@ -41,6 +41,7 @@ bool has_net_force(const StokesProblem& problem) {
 }
 
 bool has_free_uniform_velocity(const StokesProblem& problem) {
+  if (problem.cell) return problem.cell->pressure_gradient.has_value();
   return !is_bounded(problem) && !problem.gauge_length &&
          std::ranges::count(problem.components, ComponentKind::prescribed, &Component::kind) > 0;
 }

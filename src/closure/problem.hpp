@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -37,12 +38,24 @@ inline bool has_slip(const Component& component) {
   return component.kind == ComponentKind::free_body && component.velocity.size() > 0;
 }
 
+/// A cell of a lattice. The components of a problem repeat with the vectors of the lattice.
+struct PeriodicCell {
+  Complex a1;  ///< a vector of the lattice, length
+  Complex a2;  ///< another vector, not parallel to the first one, length
+  /// Mean gradient P of the pressure, force / length^3. With it, the mean velocity over the cell,
+  /// bodies included, is a result; without it, that of the background is given.
+  std::optional<Complex> pressure_gradient = {};
+
+  double area() const { return std::abs(cross(a1, a2)); }  ///< returns V, length^2
+};
+
 /// A boundary value problem of Stokes flow around rigid bodies and walls, at one instant.
 struct StokesProblem {
   std::vector<Component> components;  ///< densities are ordered by component, then node
   double viscosity = 1.0;             ///< mu, force time / length^2
   ComplexVector background;  ///< undisturbed velocity at all nodes, length / time; empty if zero
-  std::optional<double> gauge_length;  ///< ell of (02.2) in an unbounded fluid, length
+  std::optional<double> gauge_length;     ///< ell of (02.2) in an unbounded fluid, length
+  std::optional<PeriodicCell> cell = {};  ///< empty: nothing repeats
 };
 
 /// Returns the position of each component's first node in the vector of all nodes, and after them
@@ -67,7 +80,8 @@ bool has_net_force(const StokesProblem& problem);
 ///
 /// The velocity at infinity is unknown in an unbounded fluid without a gauge length if a component
 /// has a prescribed velocity. The velocity found is the one for which the net force is zero; it
-/// cancels any uniform velocity of the background.
+/// cancels any uniform velocity of the background. In a periodic cell, the mean velocity is unknown
+/// if the mean gradient of the pressure is given.
 bool has_free_uniform_velocity(const StokesProblem& problem);
 
 }  // namespace stokesbook

@@ -47,7 +47,6 @@ struct CellSolution {
   std::vector<CellMotion> bodies;
   Complex mean_velocity;
   ComplexVector velocity;  ///< at the targets
-  int iterations = 0;
 };
 
 /// Solves the boundary integral equation of a cell by GMRES, without near corrections.
