@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "periodic/far_operator.hpp"
+
 namespace stokesbook {
 
 using Eigen::Index;
@@ -29,8 +31,10 @@ Fmm make_fmm(const StokesProblem& problem, const std::vector<std::size_t>& loade
     centres[static_cast<Index>(i)] = problem.components[loaded[i]].centre;
   }
   const FmmSettings settings = FmmSettings::for_tolerance(tolerance);
-  if (targets.size() == 0) return {curves_of(problem), centres, settings};
-  return {curves_of(problem), centres, targets, settings};
+  FmmImagePlan images;
+  if (problem.cell) images = images_in({problem.cell->a1, problem.cell->a2});
+  if (targets.size() == 0) return {curves_of(problem), centres, settings, images};
+  return {curves_of(problem), centres, targets, settings, images};
 }
 
 }  // namespace
@@ -69,6 +73,13 @@ ComplexVector FastSum::velocity(const ComplexVector& density,
   }
   uniform *= 0.25 * std::numbers::inv_pi;
   return fmm_.velocity({density, force, torque}, workspace_).col(0).array() + uniform;
+}
+
+std::vector<Complex> FastSum::near_images() const {
+  std::vector<Complex> images;
+  for (const Interactions& image : fmm_.interactions()) images.push_back(image.shift);
+  images.erase(images.begin());  // the sources themselves
+  return images;
 }
 
 std::vector<FlowDerivatives> FastSum::derivatives(const ComplexVector& density,

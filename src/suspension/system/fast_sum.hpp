@@ -11,7 +11,7 @@
 namespace stokesbook {
 
 /// Evaluates the double layer and the singularities of a problem with n nodes by the fast multipole
-/// method.
+/// method; in a periodic cell, with all their images.
 ///
 /// The applications of one object share scratch memory: they must not run in two threads at a time.
 /// @par Accuracy  the tolerance, relative in the 2-norm of velocities, @ref claim_08_15
@@ -26,6 +26,9 @@ class FastSum {
   /// Evaluates the velocity that a density at all n nodes, length / time, and loads of all
   /// components cause at the targets, by O(n + m) operations.
   ComplexVector velocity(const ComplexVector& density, const std::vector<Load>& loads) const;
+
+  /// Returns the vectors of the near images in a periodic cell, length; empty without a cell.
+  std::vector<Complex> near_images() const;
 
   /// Evaluates pressure, vorticity and strain of the same flow, 1 / time.
   ///

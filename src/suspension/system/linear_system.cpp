@@ -19,7 +19,7 @@ namespace {
 std::variant<StressletSum, FastSum> make_sum(const StokesProblem& problem,
                                              const std::vector<Curve>& curves, const Plan& plan) {
   const Index n = node_offsets(problem).back();
-  if (plan.is_fast(n)) return FastSum(problem, plan.sum_tolerance);
+  if (problem.cell || plan.is_fast(n)) return FastSum(problem, plan.sum_tolerance);
   return StressletSum(curves, StressletSum::automatic_storage(n));
 }
 
@@ -65,8 +65,9 @@ SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
     if (problem.components[k].kind == ComponentKind::enclosing_wall) enclosing_wall_ = k;
   }
   if (!placed.empty()) {
-    near_.emplace(placed, all_nodes(curves_), Targets::own_nodes,
-                  NearSettings{plan.near_tolerance});
+    const auto* fast = std::get_if<FastSum>(&sum_);
+    near_.emplace(placed, all_nodes(curves_), Targets::own_nodes, NearSettings{plan.near_tolerance},
+                  fast != nullptr ? fast->near_images() : std::vector<Complex>{});
   }
 }
 
