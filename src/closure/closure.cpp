@@ -152,6 +152,7 @@ Complex Closure::gauge_velocity(const std::vector<Load>& loads) const {
 // sum_k (S_k F_k + R_k L_k) (03.4).
 ComplexVector Closure::singular_velocity(const std::vector<Load>& loads,
                                          const ComplexVector& targets) const {
+  require(!problem_.cell, "a direct sum has no images of a periodic cell");
   ComplexVector velocity = ComplexVector::Zero(targets.size());
   for (std::size_t k = 0; k < loads.size(); ++k) {
     const Load& load = loads[k];

@@ -98,6 +98,8 @@ class Closure {
 
   /// Evaluates the Stokeslets and rotlets of the given loads of every component, with a Stokeslet
   /// and a rotlet per target and loaded component.
+  ///
+  /// @throws std::invalid_argument in a periodic cell, whose images this sum does not have
   ComplexVector singular_velocity(const std::vector<Load>& loads,
                                   const ComplexVector& targets) const;
 

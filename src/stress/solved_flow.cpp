@@ -22,6 +22,7 @@ ComplexVector direct_velocity(const SolvedFlow& flow, const ComplexVector& targe
 std::vector<FlowDerivatives> direct_derivatives(const SolvedFlow& flow,
                                                 const ComplexVector& targets) {
   const StokesProblem& problem = flow.problem();
+  require(!problem.cell, "a direct sum has no images of a periodic cell");
   std::vector<FlowDerivatives> sum =
       StressletSum(curves_of(problem)).derivatives(targets, flow.density());
   const double mu = problem.viscosity;
@@ -60,8 +61,9 @@ ComplexVector SolvedFlow::velocity(const ComplexVector& targets) const {
   ComplexVector velocity =
       settings_.sum.velocity(*this, targets).array() + closure_.uniform_velocity(completion_);
   if (!placed_.empty()) {
-    velocity += NearCorrection(placed_, targets, Targets::points,
-                               {settings_.tolerance, NearStorage::factored})(density_);
+    velocity +=
+        NearCorrection(placed_, targets, Targets::points,
+                       {settings_.tolerance, NearStorage::factored}, images(targets))(density_);
   }
   return velocity;
 }
@@ -72,9 +74,13 @@ std::vector<FlowDerivatives> SolvedFlow::derivatives(const ComplexVector& target
           " schemes for ", problem_.components.size(), " components");
   std::vector<FlowDerivatives> flow = settings_.sum.derivatives(*this, targets);
   const std::vector<FlowDerivatives> corrections =
-      near_derivative_corrections(placed_, density_, targets, settings_.tolerance);
+      near_derivative_corrections(placed_, density_, targets, settings_.tolerance, images(targets));
   for (std::size_t i = 0; i < flow.size(); ++i) flow[i] += corrections[i];
   return flow;
+}
+
+std::vector<Complex> SolvedFlow::images(const ComplexVector& targets) const {
+  return settings_.sum.images ? settings_.sum.images(*this, targets) : std::vector<Complex>{};
 }
 
 ComplexVector SolvedFlow::nodes() const {

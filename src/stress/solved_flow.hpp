@@ -19,9 +19,12 @@ struct FlowSum {
   /// Evaluates pressure, vorticity and strain, 1 / time.
   std::function<std::vector<FlowDerivatives>(const SolvedFlow&, const ComplexVector& targets)>
       derivatives;
+  /// Finds the vectors of the images in a periodic cell to which targets may be near; empty: none.
+  std::function<std::vector<Complex>(const SolvedFlow&, const ComplexVector& targets)> images = {};
 };
 
-/// Returns the direct sum over all n nodes and all loads, with m n kernel evaluations.
+/// Returns the direct sum over all n nodes and all loads, with m n kernel evaluations; not for
+/// problems in a periodic cell.
 FlowSum direct_sum();
 
 /// Parameters of a SolvedFlow.
@@ -57,7 +60,8 @@ class SolvedFlow {
   /// a node they are the limits from the fluid.
   ///
   /// In an unbounded fluid the pressure vanishes at infinity. In an enclosed fluid only differences
-  /// of pressures have a meaning.
+  /// of pressures have a meaning. In a periodic cell, the pressure of each force and of the double
+  /// layer consists of a periodic part with the mean zero, and of \f$ F\cdot z/V \f$.
   /// @throws std::invalid_argument when a component has no Cauchy scheme
   /// @par Cost  that of the sum, and of near_derivative_corrections()
   std::vector<FlowDerivatives> derivatives(const ComplexVector& targets) const;
@@ -75,6 +79,8 @@ class SolvedFlow {
   const Completion& completion() const { return completion_; }
 
  private:
+  std::vector<Complex> images(const ComplexVector& targets) const;
+
   StokesProblem problem_;
   std::vector<PlacedCurve> placed_;
   Closure closure_;

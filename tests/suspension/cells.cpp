@@ -8,6 +8,7 @@
 #include "double_layer/double_layer.hpp"
 #include "stress/solved_flow.hpp"
 #include "stress/stresslet.hpp"
+#include "support/ewald.hpp"
 #include "suspension/system/linear_system.hpp"
 
 using namespace stokesbook;
@@ -34,7 +35,7 @@ Component disk(ComponentKind kind, double radius, Complex centre, Eigen::Index n
 struct Solved {
   Completion completion;
   ComplexVector density;
-  int iterations;
+  ComplexVector without_rigid_part;
 };
 
 Solved solve_cell(const StokesProblem& problem) {
@@ -43,8 +44,8 @@ Solved solve_cell(const StokesProblem& problem) {
   const GmresResult result = solve(discrete, discrete.system.right_hand_side(), {1e-13, 500});
   BOOST_TEST(result.converged);
   const ComplexVector density = deinterleaved(result.solution);
-  return {discrete.system.closure().complete(density),
-          discrete.system.closure().without_rigid_part(density), result.iterations};
+  return {discrete.system.closure().complete(density), density,
+          discrete.system.closure().without_rigid_part(density)};
 }
 
 // The gap 0.02 between two disks leads through the edge of the cell.
@@ -91,8 +92,9 @@ BOOST_AUTO_TEST_CASE(a_gap_through_the_edge) {
   check(motions[0].omega, -0.0743037501003, 1e-11);
   check(motions[1].omega, -0.2846656412087, 1e-11);
   const auto stresslet = [&](std::size_t k) {
-    return body_stresslet(problem.components[k].curve,
-                          solved.density.segment(128 * static_cast<Eigen::Index>(k), 128), 1.0);
+    return body_stresslet(
+        problem.components[k].curve,
+        solved.without_rigid_part.segment(128 * static_cast<Eigen::Index>(k), 128), 1.0);
   };
   check(stresslet(0), {0.07628104994902, 0.23241859306169}, 1e-11);
   check(stresslet(1), {0.07895149991216, 0.13794754936363}, 1e-11);
@@ -114,6 +116,77 @@ BOOST_AUTO_TEST_CASE(reciprocity_through_the_edge) {
   check(by_torque, by_force, 1e-12);
 }
 
+// The flow of a solution is the motion of a body on its curve, also in the gap through the edge;
+// it repeats with the lattice, and the pressure rises by F.w / V along a vector w.
+BOOST_AUTO_TEST_CASE(flow_between_images) {
+  StokesProblem problem = pair_at_the_edge();
+  problem.components[0].force = {1.0, -0.5};
+  problem.components[0].torque = 0.2;
+  problem.components[1].force = {-0.4, 0.8};
+  problem.background = all_nodes(curves_of(problem)).imag();
+  const Solved solved = solve_cell(problem);
+  const SolvedFlow flow(problem, cauchy_curves(problem), solved.density,
+                        {1e-14, planned_sum(accurate_plan())});
+  ComplexVector z(40);
+  for (Eigen::Index i = 0; i < 40; ++i) {
+    z[i] =
+        problem.components[i < 20 ? 0 : 1].centre + std::polar(0.2, 0.3 * static_cast<double>(i));
+  }
+  const ComplexVector velocity = flow.velocity(z);
+  const std::vector<FlowDerivatives> slopes = flow.derivatives(z);
+  for (Eigen::Index i = 0; i < 40; ++i) {
+    const std::size_t k = i < 20 ? 0 : 1;
+    const RigidMotion& motion = flow.completion().motions[k];
+    check(velocity[i] + z[i].imag(),
+          motion.velocity + motion.omega * perp(z[i] - problem.components[k].centre), 1e-9);
+  }
+  for (const Complex w : {Complex{1.0}, Complex{0.3, 1.0}}) {
+    const ComplexVector moved = z.array() + w;
+    const ComplexVector there = flow.velocity(moved);
+    const std::vector<FlowDerivatives> slopes_there = flow.derivatives(moved);
+    const double rise = dot(Complex{0.6, 0.3}, w);
+    for (std::size_t i = 0; i < 40; ++i) {
+      check(there[static_cast<Eigen::Index>(i)], velocity[static_cast<Eigen::Index>(i)], 1e-11);
+      check(slopes_there[i].pressure, slopes[i].pressure + rise, 1e-9);
+      check(slopes_there[i].vorticity, slopes[i].vorticity, 1e-9);
+      check(slopes_there[i].strain, slopes[i].strain, 1e-9);
+    }
+  }
+  // Derivatives agree with differences of velocities, in the fluid beside the gap.
+  const Complex point{0.5, 0.06};
+  const double h = 1e-4;
+  const ComplexVector around = flow.velocity(
+      ComplexVector{{point - h, point + h, point - h * imaginary, point + h * imaginary}});
+  const Complex along_x = (around[1] - around[0]) / (2.0 * h),
+                along_y = (around[3] - around[2]) / (2.0 * h);
+  const FlowDerivatives slope = flow.derivatives(ComplexVector{{point}})[0];
+  check(slope.strain, along_x + imaginary * along_y, 1e-5);
+  check(slope.vorticity, along_x.imag() - along_y.real(), 1e-5);
+}
+
+// The constant of the pressure does not depend on the targets, nor on the place of the sources.
+BOOST_AUTO_TEST_CASE(pressure_of_forces) {
+  StokesProblem problem = pair_at_the_edge();
+  const std::vector<Load> loads = {{{1.0, -0.5}, 0.2}, {{-0.4, 0.8}, 0.0}};
+  for (std::size_t k : {0U, 1U}) problem.components[k].force = loads[k].force;
+  const Lattice lattice(problem.cell->a1, problem.cell->a2);
+  const ComplexVector zero = ComplexVector::Zero(256);
+  for (const ComplexVector& targets : {ComplexVector{{Complex{0.0, 0.1}}},
+                                       ComplexVector{{Complex{0.4, -0.3}, Complex{1.7, 2.0}}}}) {
+    const auto flow = FastSum(problem, 1e-14, targets).derivatives(zero, loads);
+    for (Eigen::Index i = 0; i < targets.size(); ++i) {
+      double exact = 0.0;
+      for (std::size_t k : {0U, 1U}) {
+        const Complex f =
+            test::ewald_functions(lattice, targets[i] - problem.components[k].centre).f;
+        exact += (loads[k].force * f).real() / (2.0 * pi) +
+                 dot(loads[k].force, targets[i]) / lattice.area();
+      }
+      check(flow[static_cast<std::size_t>(i)].pressure, exact, 1e-12);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(problems_without_a_meaning_are_refused) {
   StokesProblem problem;
   problem.components = {disk(ComponentKind::free_body, 0.2, {0.0, 0.0}, 32)};
@@ -126,6 +199,11 @@ BOOST_AUTO_TEST_CASE(problems_without_a_meaning_are_refused) {
   problem.gauge_length = {};
   problem.cell->pressure_gradient = 1.0;
   BOOST_CHECK_THROW(solve_cell(problem), std::invalid_argument);
+  const ComplexVector density = ComplexVector::Zero(32), outside{{Complex{0.3, 0.3}}};
+  problem.cell->pressure_gradient = {};
+  const SolvedFlow direct(problem, cauchy_curves(problem), density);
+  BOOST_CHECK_THROW(direct.velocity(outside), std::invalid_argument);
+  BOOST_CHECK_THROW(direct.derivatives(outside), std::invalid_argument);
   problem.cell = {1.0, 2.0};
   BOOST_CHECK_THROW(solve_cell(problem), std::invalid_argument);
 }

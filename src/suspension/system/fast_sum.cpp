@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "periodic/far_operator.hpp"
+#include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 
@@ -24,15 +25,33 @@ std::vector<std::size_t> loaded_components(const StokesProblem& problem) {
   return loaded;
 }
 
-Fmm make_fmm(const StokesProblem& problem, const std::vector<std::size_t>& loaded,
-             const ComplexVector& targets, double tolerance) {
+ComplexVector centres_of(const StokesProblem& problem, const std::vector<std::size_t>& loaded) {
   ComplexVector centres(static_cast<Index>(loaded.size()));
   for (std::size_t i = 0; i < loaded.size(); ++i) {
     centres[static_cast<Index>(i)] = problem.components[loaded[i]].centre;
   }
+  return centres;
+}
+
+Lattice lattice_of(const PeriodicCell& cell) {
+  return {cell.a1, cell.a2};
+}
+
+// Returns the near images of a disk that contains the nodes of a flow and its targets.
+std::vector<Complex> images_near(const SolvedFlow& flow, const ComplexVector& targets) {
+  if (!flow.problem().cell || targets.size() == 0) return {};
+  ComplexVector points(flow.density().size() + targets.size());
+  points << flow.nodes(), targets;
+  const Rectangle rectangle = bounding_rectangle(points);
+  return near_images(lattice_of(*flow.problem().cell),
+                     0.5 * std::abs(rectangle.upper - rectangle.lower));
+}
+
+Fmm make_fmm(const StokesProblem& problem, const ComplexVector& centres,
+             const ComplexVector& targets, double tolerance) {
   const FmmSettings settings = FmmSettings::for_tolerance(tolerance);
   FmmImagePlan images;
-  if (problem.cell) images = images_in({problem.cell->a1, problem.cell->a2});
+  if (problem.cell) images = images_in(lattice_of(*problem.cell));
   if (targets.size() == 0) return {curves_of(problem), centres, settings, images};
   return {curves_of(problem), centres, targets, settings, images};
 }
@@ -42,7 +61,9 @@ Fmm make_fmm(const StokesProblem& problem, const std::vector<std::size_t>& loade
 FastSum::FastSum(const StokesProblem& problem, double tolerance, const ComplexVector& targets)
     : loaded_(loaded_components(problem)),
       viscosity_(problem.viscosity),
-      fmm_(make_fmm(problem, loaded_, targets, tolerance)),
+      centres_(centres_of(problem, loaded_)),
+      cell_(problem.cell),
+      fmm_(make_fmm(problem, centres_, targets, tolerance)),
       workspace_(fmm_.workspace()) {
   const std::vector<double> gauges = stokeslet_gauges(problem);
   for (const std::size_t k : loaded_) log_gauges_.push_back(std::log(gauges[k]));
@@ -85,12 +106,22 @@ std::vector<Complex> FastSum::near_images() const {
 std::vector<FlowDerivatives> FastSum::derivatives(const ComplexVector& density,
                                                   const std::vector<Load>& loads) const {
   const auto [force, torque] = strengths(loads);
-  return fmm_.derivatives({density, force, torque}, workspace_);
+  std::vector<FlowDerivatives> flow = fmm_.derivatives({density, force, torque}, workspace_);
+  if (!cell_) return flow;
+  // images_in(): from the pressure that is linear about the centre c of the cell, and its constant,
+  // to F.z / V for every force
+  double constant = 0.0;
+  for (Index i = 0; i < force.size(); ++i) {
+    constant += 0.5 / cell_->area() * dot(force[i], centres_[i] + fmm_.cell().centre);
+  }
+  for (FlowDerivatives& at : flow) at.pressure += constant;
+  return flow;
 }
 
 FlowSum planned_sum(const Plan& plan) {
   const auto is_fast = [=](const SolvedFlow& flow, const ComplexVector& targets) {
-    return plan.is_fast(flow.density().size(), targets.size());
+    return (flow.problem().cell && targets.size() > 0) ||
+           plan.is_fast(flow.density().size(), targets.size());
   };
   const double tolerance = plan.sum_tolerance;
   return {[=](const SolvedFlow& flow, const ComplexVector& targets) {
@@ -102,7 +133,8 @@ FlowSum planned_sum(const Plan& plan) {
             if (!is_fast(flow, targets)) return direct_sum().derivatives(flow, targets);
             return FastSum(flow.problem(), tolerance, targets)
                 .derivatives(flow.density(), flow.completion().loads);
-          }};
+          },
+          images_near};
 }
 
 }  // namespace stokesbook

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,8 @@ class FastSum {
   /// Returns the vectors of the near images in a periodic cell, length; empty without a cell.
   std::vector<Complex> near_images() const;
 
-  /// Evaluates pressure, vorticity and strain of the same flow, 1 / time.
+  /// Evaluates pressure, vorticity and strain of the same flow, 1 / time. In a periodic cell, the
+  /// constant of the pressure is that of SolvedFlow.
   ///
   /// @par Accuracy  a hundred times the tolerance, @ref claim_08_18
   std::vector<FlowDerivatives> derivatives(const ComplexVector& density,
@@ -43,6 +45,8 @@ class FastSum {
   std::vector<std::size_t> loaded_;  // components that may have singularities
   std::vector<double> log_gauges_;   // logarithms of the gauge lengths of their Stokeslets
   double viscosity_;
+  ComplexVector centres_;  // of the loaded components
+  std::optional<PeriodicCell> cell_;
   Fmm fmm_;
   mutable FmmWorkspace workspace_;
 };
