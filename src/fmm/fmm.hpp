@@ -165,9 +165,11 @@ class Fmm {
   /// Returns the tree of the targets, or that of the sources if the nodes are the targets.
   const Quadtree& targets() const { return targets_ ? *targets_ : sources_; }
 
-  /// Returns the lists of sources for every box of targets, first those of the sources themselves,
-  /// then those of each near image.
-  const std::vector<Interactions>& interactions() const { return interactions_; }
+  /// Returns the lists of sources for every box of targets, without images.
+  const Interactions& interactions() const { return interactions_.front(); }
+
+  /// Returns the lists without images, and then those of each near image.
+  const std::vector<Interactions>& all_interactions() const { return interactions_; }
 
   /// Returns the disk that contains the boxes of all sources and of all targets; without images,
   /// the disk is not computed.

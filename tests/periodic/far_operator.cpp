@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(the_cost_of_a_cell) {
   const Lattice lattice({25.0, 0.0}, {9.0, 25.0});
   const auto cost = [&](const Fmm& fmm) {
     double operations = 0.0;
-    for (const Interactions& image : fmm.interactions()) {
+    for (const Interactions& image : fmm.all_interactions()) {
       for (std::size_t b = 0; b < image.far.size(); ++b) {
         operations +=
             static_cast<double>(image.far[b].size()) * 0.5 * settings.order * settings.order;

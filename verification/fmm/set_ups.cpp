@@ -105,8 +105,8 @@ double operations(const Fmm& plan, int order) {
   double pairs = 0.0, conversions = 0.0;
   const std::vector<Box>& boxes = plan.targets().boxes;
   for (std::size_t b = 0; b < boxes.size(); ++b) {
-    conversions += static_cast<double>(plan.interactions().front().far[b].size());
-    for (const Range range : plan.interactions().front().near[b]) {
+    conversions += static_cast<double>(plan.interactions().far[b].size());
+    for (const Range range : plan.interactions().near[b]) {
       pairs += static_cast<double>(boxes[b].size() * (range.last - range.first));
     }
   }

@@ -100,7 +100,7 @@ Found near_field(int order) {
   };
   for (std::size_t b = 0; b < plan.targets().boxes.size(); ++b) {
     const Box& box = plan.targets().boxes[b];
-    for (const Range range : plan.interactions().front().near[b]) {
+    for (const Range range : plan.interactions().near[b]) {
       pairs += static_cast<double>(box.size() * (range.last - range.first));
       for (Index i = box.first; i < box.last; ++i) {
         for (Index j = range.first; j < range.last; ++j) {

@@ -98,7 +98,7 @@ ComplexVector FastSum::velocity(const ComplexVector& density,
 
 std::vector<Complex> FastSum::near_images() const {
   std::vector<Complex> images;
-  for (const Interactions& image : fmm_.interactions()) images.push_back(image.shift);
+  for (const Interactions& image : fmm_.all_interactions()) images.push_back(image.shift);
   images.erase(images.begin());  // the sources themselves
   return images;
 }
