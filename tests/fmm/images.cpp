@@ -15,7 +15,7 @@ using test::relative_error;
 
 namespace {
 
-constexpr int order = 44;
+constexpr int image_order = 44;
 
 // Plans two near images, one of which overlaps the sources, and one image that is converted as a
 // whole (M2L), in the directions of the vectors.
@@ -31,9 +31,10 @@ struct Images {
         source.radius = radius;
         Box target = source;
         target.centre = -far;
-        Expansions expansions(1, 1, order);
+        Expansions expansions(1, 1, image_order);
         expansions(0, 0) = multipole;
-        Translations(order).m2l({source}, expansions, std::vector<Index>{0}, 0, target, local);
+        Translations(image_order)
+            .m2l({source}, expansions, std::vector<Index>{0}, 0, target, local);
       };
       return FmmImages{near, convert};
     };
@@ -70,7 +71,7 @@ BOOST_AUTO_TEST_CASE(images_of_nodes_and_points) {
       }
     }
     for (const Index leaf_size : {10, 40, 10000}) {
-      const FmmSettings settings{order, leaf_size};
+      const FmmSettings settings{image_order, leaf_size};
       const Fmm fmm(curves, points, targets, settings, images.plan());
       const FmmStrengths strengths(density, force, torque);
       BOOST_TEST(relative_error(fmm.velocity(strengths).col(0), exact) < 1e-13);
@@ -127,8 +128,8 @@ BOOST_AUTO_TEST_CASE(disk_of_sources_and_targets) {
 BOOST_AUTO_TEST_CASE(workspaces_of_sums_without_images_are_refused) {
   const std::vector<Curve> curves = test::ellipses(1, 64);
   const ComplexVector density = random_vector(64, 2);
-  const Fmm alone(curves, {}, {order, 20}),
-      together(curves, {}, {order, 20}, Images{{}, 50.0}.plan());
+  const Fmm alone(curves, {}, {image_order, 20}),
+      together(curves, {}, {image_order, 20}, Images{{}, 50.0}.plan());
   FmmWorkspace work = alone.workspace();
   BOOST_CHECK_THROW(together.velocity(density, work), std::invalid_argument);
 }
