@@ -123,9 +123,10 @@ BOOST_AUTO_TEST_CASE(the_tree_meets_the_tolerance) {
     const Eigen::VectorXd torque = 0.1 * random_vector(40, 5).real();
     const FmmStrengths strengths(density, force, torque);
     // The net source of the density is not zero, but both sums have the same centre.
-    const FmmSettings direct{44, 10000};
-    const ComplexVector exact = Fmm(curves, points, direct, images_in(lattice)).velocity(strengths);
-    const Fmm at_targets(curves, points, elsewhere, direct, images_in(lattice));
+    const FmmSettings one_leaf{44, 10000};
+    const ComplexVector exact =
+        Fmm(curves, points, one_leaf, images_in(lattice)).velocity(strengths);
+    const Fmm at_targets(curves, points, elsewhere, one_leaf, images_in(lattice));
     const ComplexVector exact_there = at_targets.velocity(strengths);
     const std::vector<FlowDerivatives> slopes = at_targets.derivatives(strengths);
     for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12}) {
