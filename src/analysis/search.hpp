@@ -44,13 +44,13 @@ struct Trial {
 
 /// The runs of a search, and what they show.
 struct Search {
-  std::vector<Trial> trials{};        ///< in the order of the runs
-  double reference_error = 0.0;       ///< difference of the last two references
-  double seconds = 0.0;               ///< CPU time of all runs
+  std::vector<Trial> trials{};   ///< in the order of the runs
+  double reference_error = 0.0;  ///< difference of the last two references
+  double seconds = 0.0;          ///< CPU time of all runs
   /// Cheapest trial with the accuracy: in CPU time, or in products where times hardly differ. Among
   /// equally cheap ones, a trial whose error is not below a third of the accuracy.
   std::optional<std::size_t> best{};
-  std::string failure{};              ///< reason if there is no such trial
+  std::string failure{};  ///< reason if there is no such trial
 };
 
 /// Searches for the cheapest settings with which the run of a scene has an accuracy.
