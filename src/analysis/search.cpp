@@ -3,7 +3,6 @@
 #include "analysis/search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -29,11 +28,6 @@ std::vector<Settings> methods_of(const Scene& scene) {
           {prince_dormand87, true},
           {heun, false},
           {euler, false}};
-}
-
-double order_of(SteppingMethod method) {
-  constexpr std::array orders{1.0, 2.0, 2.0, 4.0, 3.0, 5.0, 8.0};  // in the order of the methods
-  return orders[static_cast<std::size_t>(method)];
 }
 
 std::string name_of(const Settings& settings) {
@@ -107,9 +101,9 @@ class Searcher {
     return trial;
   }
 
-  /// Returns whether a trial is better than the best one: it takes less CPU time, or fewer products
-  /// if the times hardly differ; or, if the products hardly differ either, the error of the best one
-  /// is below a third of the accuracy, and that of the trial is not.
+  /// Returns whether a trial is better than the best one: it takes less CPU time, or fewer
+  /// products if the times hardly differ; or, if the products hardly differ either, the error of
+  /// the best one is below a third of the accuracy, and that of the trial is not.
   bool is_better(const Trial& trial) const {
     if (!search_.best) return true;
     const double later = trial.seconds - best().seconds;

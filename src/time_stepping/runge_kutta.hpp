@@ -14,7 +14,6 @@ namespace stokesbook {
 struct Tableau {
   Eigen::MatrixXd a;            ///< s x s, strictly lower triangular
   Eigen::VectorXd b;            ///< s weights of the end
-  int estimate_order = 0;       ///< the estimate of a step is of order h^(estimate_order + 1)
   Eigen::VectorXd error = {};   ///< s + 1 weights of the estimate; empty: no estimate
   Eigen::VectorXd bubble = {};  ///< s + 1 weights of the bubble in Step; empty: no bubble
 };

@@ -74,15 +74,10 @@ StepResult Stepper::attempt(const TimePoint& start, double t_end, const StepMemo
   return result;
 }
 
-int Stepper::order_of_estimate() const {
-  if (settings_.method == SteppingMethod::prince_dormand87) return 8;
-  return tableau_of(settings_.method).estimate_order + 1;
-}
-
 double Stepper::longest_step(const TimePoint& start, const StepMemory& memory) const {
   if (memory.dt) return *memory.dt;
   if (settings_.dt) return *settings_.dt;
-  return first_step(rates_.within, start, settings_.bound, order_of_estimate());
+  return first_step(rates_.within, start, settings_.bound, order_of(settings_.method));
 }
 
 StepMemory Stepper::update(StepMemory memory, const Step& step, double scaled_error, double longest,
@@ -91,7 +86,7 @@ StepMemory Stepper::update(StepMemory memory, const Step& step, double scaled_er
   if (is_embedded(settings_.method)) {
     // The error of a step that an event has cut short is no basis for the length of longer steps.
     const bool cut = dt < 0.5 * longest;
-    const double factor = step_factor(scaled_error, memory.error, order_of_estimate());
+    const double factor = step_factor(scaled_error, memory.error, order_of(settings_.method));
     memory.dt = cut ? longest : dt * (rejected ? std::min(factor, 1.0) : factor);
     if (!cut) memory.error = scaled_error;
     return memory;
@@ -119,7 +114,7 @@ StepResult Stepper::advance(const TimePoint& start, StepMemory memory, double ev
         result.rejected = rejected;
         return result;
       }
-      longest = dt * step_factor(error, memory.error, order_of_estimate());
+      longest = dt * step_factor(error, memory.error, order_of(settings_.method));
       if (longest < settings_.dt_min) throw too_short(dt, error);
     } catch (const InadmissibleState&) {
       if (!is_embedded(settings_.method) && !memory.reduced) {

@@ -94,7 +94,6 @@ class Stepper {
   // Tries one step, without memory for the next step.
   StepResult attempt(const TimePoint& start, double t_end, const StepMemory& memory) const;
   double longest_step(const TimePoint& start, const StepMemory& memory) const;
-  int order_of_estimate() const;  // the estimate of a step is of this order in h
   StepMemory update(StepMemory memory, const Step& step, double scaled_error, double longest,
                     bool rejected) const;
 

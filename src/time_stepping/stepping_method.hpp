@@ -19,6 +19,28 @@ constexpr bool is_embedded(SteppingMethod method) {
   return method >= SteppingMethod::bogacki_shampine32;
 }
 
+/// Returns the order p of a method: the error of its results is of order h^p in the step h. The
+/// error estimate of a step by an embedded pair is of this order, too.
+constexpr int order_of(SteppingMethod method) {
+  using enum SteppingMethod;
+  switch (method) {
+    case euler:
+      return 1;
+    case adams_bashforth2:
+    case heun:
+      return 2;
+    case rk4:
+      return 4;
+    case bogacki_shampine32:
+      return 3;
+    case dormand_prince54:
+      return 5;
+    case prince_dormand87:
+      return 8;
+  }
+  return 0;  // no method
+}
+
 /// Returns whether interpolate() is as accurate within a step as the method is at its end, so that
 /// steps need not end where the state is required.
 constexpr bool has_dense_output(SteppingMethod method) {
