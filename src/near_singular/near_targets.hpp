@@ -34,8 +34,8 @@ enum class Targets {
 
 /// The targets that are near one curve.
 struct NearTargets {
-  /// Indices of these targets, ascending; with images, those of each image follow one another, and a
-  /// target may be near several images.
+  /// Indices of these targets, ascending; with images, those of each image follow one another, and
+  /// a target may be near several images.
   std::vector<Eigen::Index> index;
   /// Positions of these targets in the frame of the curve, or of its image, length.
   ComplexVector local;
@@ -46,8 +46,9 @@ struct NearTargets {
 /// @param  images  vectors by which images of all curves are moved, length; an image is near the
 ///                 nodes of its own curve, too
 /// @throws std::invalid_argument when a target is not finite
-/// @par Cost  a search in a RectangleIndex per curve and image, and O(N) per target within near_reach(); the
-/// search excludes most targets only if consecutive points are neighbours, as on a grid
+/// @par Cost  a search in a RectangleIndex per curve and image, and O(N) per target within
+/// near_reach(); the search excludes most targets only if consecutive points are neighbours, as on
+/// a grid
 std::vector<NearTargets> find_near_targets(const std::vector<PlacedCurve>& curves,
                                            const ComplexVector& targets, Targets kind,
                                            double tolerance,

@@ -53,8 +53,8 @@ class FarOperator {
 ///
 /// The sum is \f$ \sum_w \f$ of Fmm over all lattice vectors w. Its Stokeslets have the mean zero,
 /// so that no gauge length exists. All sources and targets should lie within one Voronoi cell,
-/// apart from the extent of the bodies: Lattice::wrap(). They may be anywhere, but the number of near
-/// images grows with the square of the distances.
+/// apart from the extent of the bodies: Lattice::wrap(). They may be anywhere, but the number of
+/// near images grows with the square of the distances.
 ///
 /// With the centre c of the cell's disk, the pressure over viscosity of forces \f$ F_k \f$ at
 /// \f$ c_k \f$ is that of periodic Stokeslets with the mean zero, plus the linear pressure

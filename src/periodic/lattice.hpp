@@ -16,9 +16,9 @@ struct LatticeIndex {
 /// A lattice of the plane: all vectors \f$ w = j a_1 + k a_2 \f$ with integers j and k.
 ///
 /// The computations use a reduced basis \f$ b_1, b_2 \f$ of the same lattice: \f$ b_1 \f$ is a
-/// shortest vector, and \f$ \tau = b_2/b_1 \f$ satisfies \f$ |\mathrm{Re}\,\tau| \le \frac12 \f$ and
-/// \f$ \mathrm{Im}\,\tau > 0 \f$. A cell that is sheared by any amount is therefore as easy as the
-/// same cell after a shear of at most one half.
+/// shortest vector, and \f$ \tau = b_2/b_1 \f$ satisfies \f$ |\mathrm{Re}\,\tau| \le \frac12 \f$
+/// and \f$ \mathrm{Im}\,\tau > 0 \f$. A cell that is sheared by any amount is therefore as easy as
+/// the same cell after a shear of at most one half.
 class Lattice {
  public:
   /// Reduces the basis.

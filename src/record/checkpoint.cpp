@@ -1,5 +1,5 @@
-// Writes and reads the file `checkpoint` of a run: a line of JSON between a line with the version of
-// the format and a line with a checksum.
+// Writes and reads the file `checkpoint` of a run: a line of JSON between a line with the version
+// of the format and a line with a checksum.
 #include "record/checkpoint.hpp"
 
 #include <algorithm>

@@ -29,8 +29,8 @@ struct SavedRun {
   Checkpoint checkpoint;                              ///< data from which the solver continues
 };
 
-/// Writes a saved run as the text of a file `checkpoint`: JSON, with numbers that restore the values
-/// exactly. The last line is the fingerprint of all text before it.
+/// Writes a saved run as the text of a file `checkpoint`: JSON, with numbers that restore the
+/// values exactly. The last line is the fingerprint of all text before it.
 std::string to_text(const SavedRun& saved);
 
 /// Reads a saved run from a file with the text of to_text(); all numbers are restored bit for bit.

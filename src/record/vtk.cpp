@@ -1,5 +1,5 @@
-// Writes configurations, contacts, tracers and fields for ParaView in VTK's XML formats, and collections
-// that list these files with their times.
+// Writes configurations, contacts, tracers and fields for ParaView in VTK's XML formats, and
+// collections that list these files with their times.
 #include "record/vtk.hpp"
 
 #include <algorithm>

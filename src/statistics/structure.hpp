@@ -36,8 +36,8 @@ Measurement pair_correlation(const Scene& scene, const BodyFrames& frames, const
 /// Measures the mean number of other bodies, and of walls, whose gap to a body is less than h: the
 /// coordination number as a function of h, whose increments are the distribution of the gaps.
 ///
-/// The values of h are powers of ten, from 1e-4 to 1 mean radii, four in each decade. Walls are left
-/// out unless walls_stay().
+/// The values of h are powers of ten, from 1e-4 to 1 mean radii, four in each decade. Walls are
+/// left out unless walls_stay().
 Measurement neighbours(const Scene& scene, const BodyFrames& frames);
 
 /// Measures the distribution of the directions of long_axis() from 0 to pi, one per radian. Returns
@@ -59,8 +59,9 @@ enum class Across {
 /// velocity of the bodies in it, along x and y, or along the radius about the middle of the region's
 /// box and the azimuth.
 ///
-/// If the frames have stresslets, also the particle stress: each bin's part of the stresslets of all
-/// bodies over its area, where the stresslet of a body is spread evenly over the area of the body.
+/// If the frames have stresslets, the profiles include the particle stress: each bin's part of the
+/// stresslets of all bodies over its area, where the stresslet of a body is spread evenly over the
+/// area of the body.
 /// The components are s_11 and s_12, or s_rr and s_rt; s_22 = -s_11. Summed over all bins, stress
 /// times area is the sum of the stresslets (07.16).
 ///

@@ -1,6 +1,6 @@
 // Checks solutions of the boundary integral equation in cells: drag of arrays of disks (Sangani and
-// Acrivos), a worm that crosses the edges of its cell, sheared arrays of disks, three loaded bodies,
-// and invariances.
+// Acrivos), a worm that crosses the edges of its cell, sheared arrays of disks, three loaded
+// bodies, and invariances.
 #include <cmath>
 #include <numbers>
 

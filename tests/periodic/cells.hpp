@@ -34,7 +34,7 @@ struct Cell {
   }
 };
 
-/// What the solution of a cell gives for a body.
+/// Motion, load and stresslet of a body in the solution of a cell.
 struct CellMotion {
   Complex velocity;
   double omega = 0.0;
@@ -43,6 +43,7 @@ struct CellMotion {
   Complex stresslet;
 };
 
+/// The solution of a cell.
 struct CellSolution {
   std::vector<CellMotion> bodies;
   Complex mean_velocity;

@@ -230,8 +230,8 @@ BOOST_AUTO_TEST_CASE(places_of_the_sources) {
   BOOST_TEST(std::max(near.first, near.second) < 1e-12);
 }
 
-// Most near images are converted to local expansions of large boxes, so that a sum in a cell has few
-// operations more than the same sum without images.
+// Most near images are converted to local expansions of large boxes, so that a sum in a cell has
+// few operations more than the same sum without images.
 BOOST_AUTO_TEST_CASE(the_cost_of_a_cell) {
   const std::vector<Curve> curves = test::ellipses(10, 64);
   const FmmSettings settings = FmmSettings::for_tolerance(1e-9);

@@ -103,8 +103,8 @@ struct PeriodicSources {
     return sum / (4.0 * std::numbers::pi);
   }
 
-  /// Evaluates the derivatives of the velocity. The pressure consists of periodic functions with the
-  /// mean zero, and of \f$ F\cdot(z - c)/V \f$ for each force F at c.
+  /// Evaluates the derivatives of the velocity. The pressure consists of periodic functions with
+  /// the mean zero, and of \f$ F\cdot(z - c)/V \f$ for each force F at c.
   FlowDerivatives derivatives(Complex z) const {
     using std::numbers::inv_pi;
     const Eigen::VectorXd w = weights(curve);

@@ -25,7 +25,7 @@ struct HydrodynamicMatrices {
 
 /// Computes both matrices of the free bodies of a scene at its start, each by 3N solves of its own:
 /// the columns of M under unit loads, those of R with all free bodies held at unit motions. One
-/// solver serves M, and one each kind of motion R.
+/// solver computes all columns of M, and another one the columns of R for each kind of motion.
 ///
 /// Held bodies and walls are at rest. The flow and the loads of the scene have no effect.
 /// @throws SolverError as SuspensionSolver::solve() does; and when the scene has no free body, or
