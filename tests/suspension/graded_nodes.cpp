@@ -118,6 +118,21 @@ BOOST_AUTO_TEST_CASE(gaps_that_ask_for_little_leave_nodes_equidistant) {
   }
 }
 
+// Graded nodes belong to one configuration: they must save a quarter of the nodes. A wall with many
+// bodies beside it would have nearly as many graded nodes as equidistant ones.
+BOOST_AUTO_TEST_CASE(nodes_crowd_where_this_saves_a_quarter_of_them) {
+  const double tolerance = 1e-3, depth = 0.05;
+  const int even = nodes_for_decay(depth, tolerance);
+  std::vector<GapRequirement> gaps;
+  for (int count = 1; count <= 12; ++count) {
+    gaps.push_back({0.5 * count, depth});
+    const Resolution nodes = nodes_for_gaps(gaps, 16, tolerance);
+    BOOST_TEST(nodes.is_graded() == (nodes.n_nodes < even));
+    BOOST_TEST((nodes.n_nodes == even || 1.3 * nodes.n_nodes < even));
+  }
+  BOOST_TEST(!nodes_for_gaps(gaps, 16, tolerance).is_graded());
+}
+
 BOOST_AUTO_TEST_CASE(recommended_counts_are_counts_however_narrow_the_gap) {
   for (double tolerance : {1e-2, 1e-6, 1e-12}) {
     for (double decay = 1.0; decay > 1e-300; decay *= 0.1) {

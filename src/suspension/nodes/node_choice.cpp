@@ -225,11 +225,11 @@ Resolution nodes_for_gaps(const std::vector<GapRequirement>& gaps, int shape_nod
     require_positive(gap.depth, "the depth of a gap");
     even = std::max(even, nodes_for_decay(gap.depth, tolerance));
   }
-  Resolution best{even, {}};
-  // Nodes are graded only if equidistant nodes would exceed the nodes of the shape by more than
-  // this factor.
-  constexpr double worthwhile = 1.5;
-  if (even <= worthwhile * shape_nodes) return best;
+  // Nodes are graded only if equidistant nodes would exceed them by more than this factor: graded
+  // nodes belong to one configuration, and all data of the shape are computed for it anew.
+  constexpr double worthwhile = 1.3;
+  const Resolution equidistant{even, {}};
+  if (even <= worthwhile * shape_nodes) return equidistant;  // at least as many would be graded
   // Factor of e^{-rate n} in the error: above the largest one that was measured on pairs of
   // circles.
   constexpr double graded_error_factor = 1e5;
@@ -239,11 +239,12 @@ Resolution nodes_for_gaps(const std::vector<GapRequirement>& gaps, int shape_nod
   const std::vector<Cluster> clusters = clusters_for(gaps, shape_depth);
   const std::vector<double> rates = least_rates(clusters, gaps, shape_depth);
   // N = ln(10^5 / tolerance) / r for each strength, with the least rate r.
+  Resolution graded{std::numeric_limits<int>::max(), {}};
   for (std::size_t i = 0; i < strengths.size(); ++i) {
     const int n = multiple_of_16(digits / rates[i]);
-    if (n < best.n_nodes) best = {n, {clusters, strengths[i]}};
+    if (n < graded.n_nodes) graded = {n, {clusters, strengths[i]}};
   }
-  return best;
+  return even > worthwhile * graded.n_nodes ? graded : equidistant;
 }
 
 int rounded_nodes(double nodes) {
