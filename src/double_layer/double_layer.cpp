@@ -22,14 +22,15 @@ Eigen::Matrix2d dyad(Complex direction, double factor) {
 }  // namespace
 
 ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density) {
-  const Eigen::VectorXd w = weights(curve);
-  const Eigen::VectorXd kappa = curvatures(curve);
+  const double factor = -curve.sign() / static_cast<double>(curve.size());
   ComplexVector velocity(curve.size());
   for (Index j = 0; j < curve.size(); ++j) {
-    // -(s kappa_j w_j / (2 pi)) t_j (t_j.eta_j) (02.9).
-    const Complex tangent = curve.dx[j] / std::abs(curve.dx[j]);
-    const double factor = -curve.sign() * kappa[j] * w[j] / (2.0 * std::numbers::pi);
-    velocity[j] = factor * dot(tangent, density[j]) * tangent;
+    // -(s kappa_j w_j / (2 pi)) t_j (t_j.eta_j) (02.9), by (01.2) and (01.4) equal to
+    // -(s / N) (x' cross x'') / |x'|^2 x' (x'.eta) / |x'|^2.
+    const Complex slope = curve.dx[j];
+    const double square = std::norm(slope);
+    velocity[j] =
+        factor * (cross(slope, curve.ddx[j]) / square) * (dot(slope, density[j]) / square) * slope;
   }
   return velocity;
 }
