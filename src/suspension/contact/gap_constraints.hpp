@@ -28,7 +28,6 @@ bool is_movable_pair(const Discretisation& discretisation, std::size_t a, std::s
 /// The mean velocity of the step is `known_velocity`, plus `share` times the velocity of the flow
 /// and of contact at `acting`. Velocities are packed by to_state().
 struct ContactStage {
-  std::size_t index;     ///< in its step, 0 or 1
   double t;              ///< time at which the forces act
   double dt;             ///< length of the step
   Configuration start;   ///< configuration at the beginning of the step
@@ -38,7 +37,6 @@ struct ContactStage {
   const CloserPairs& closer;        ///< pairs that may be closer than the separation
   int most_iterations;              ///< largest number of linear complementarity problems
   Eigen::VectorXd free_velocity{};  ///< mean velocity of the step without contact in this stage
-  Eigen::VectorXd guess{};          ///< velocity that contact adds at `acting`; empty: no guess
 };
 
 /// The point and the direction of a contact force.

@@ -149,8 +149,7 @@ StepStart ContactSteps::begin(const RunState& state, TimedSolution flow, double 
   const VectorXd at_rest = VectorXd::Zero(3 * std::ssize(here));
   StageSolution stage{std::move(flow)};
   while (true) {
-    const ContactStage problem{.index = 0,
-                               .t = t,
+    const ContactStage problem{.t = t,
                                .dt = t_end - t,
                                .start = here,
                                .acting = here,
@@ -229,8 +228,7 @@ ContactSteps::SecondStage ContactSteps::second_stage(const RunState& state, cons
       with_tracers(solver_, first.velocity, start.contact->solution, state.now.state);
   const VectorXd predicted = state.now.state + dt * first_rate;
   const Configuration acting = admitted_configuration(solver_, start.t_end, predicted);
-  const ContactStage problem{.index = 1,
-                             .t = start.t_end,
+  const ContactStage problem{.t = start.t_end,
                              .dt = dt,
                              .start = configuration_of(solver_, state.now.state),
                              .acting = acting,
