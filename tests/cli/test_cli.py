@@ -334,8 +334,8 @@ class Records(Program):
 
     def test_automatic_nodes_follow_the_gap(self):
         """Circles are driven together: nodes grow, errors stay small, resuming changes nothing."""
-        text = PAIR.replace("n_nodes = 48", 'n_nodes = "auto"').replace("-2.0, 0.4", "-1.5, 0.0")
-        text = text.replace("2.0, -0.4", "1.5, 0.0").replace('"shear"', '"extensional"')
+        text = PAIR.replace("n_nodes = 48", 'n_nodes = "auto"').replace("-2.0, 0.4", "-2.0, 0.0")
+        text = text.replace("2.0, -0.4", "2.0, 0.0").replace('"shear"', '"extensional"')
         text = text.replace("rate = 1.0", "rate = -1.0")
         self.run_scene("--out", "whole", "--set", "time.t_final=2.0", "--set", "solver.tolerance=1e-9",
                        text=text)
