@@ -163,6 +163,9 @@ Scene start_from(Scene scene, const fs::path& path, std::optional<double> time) 
   const std::size_t bodies = run.scene.bodies.size();
   require_same(path, "bodies", scene.bodies, run.scene.bodies);
   require_same(path, "walls", scene.walls, run.scene.walls);
+  if (scene.cell || run.scene.cell) {
+    fail(path, "a new run cannot begin with a lattice that has moved: use --resume");
+  }
   const std::size_t frame = frame_at(run, time);
   for (std::size_t k = 0; k < bodies; ++k) {
     Body& body = scene.bodies[k];

@@ -42,6 +42,10 @@ int measure_run(const MeasureOptions& options) {
   const Run run = read_run(options.run);
   const Scene& scene = run.scene;
   if (scene.bodies.empty()) throw RecordError(options.run, "has no bodies to measure");
+  if (scene.cell) {
+    throw RecordError(options.run,
+                      "has a periodic cell, whose images measure does not support yet");
+  }
   const std::filesystem::path& out = options.out.empty() ? options.run : options.out;
   const BodyFrames frames = read_frames(run, options.from, options.to);
   make_folder(out);

@@ -48,6 +48,15 @@ inline constexpr Requirement<std::vector<double>> squirmer_modes{
 inline constexpr Requirement<Complex> acceleration{"two numbers [x, y], not both 0",
                                                    [](const Complex& g) { return g != Complex{}; }};
 
+/// Vectors of a periodic cell.
+inline constexpr Requirement<Eigen::Matrix2d> cell_vectors{
+    "two vectors [[a, b], [c, d]] that are neither zero nor parallel",
+    [](const Eigen::Matrix2d& a) {
+      constexpr double rounding = 1e-9;
+      const double area = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
+      return std::abs(area) > rounding * a.row(0).norm() * a.row(1).norm();
+    }};
+
 /// Tolerance of the solver.
 inline constexpr Requirement<double> accuracy{
     "a number from 1e-14 to 0.1", [](const double& x) { return x >= 1e-14 && x <= 0.1; }};
@@ -139,6 +148,11 @@ void visit_keys(Section& section, const auto& visit) {
   if constexpr (std::same_as<Section, Repulsion>) {
     visit("strength", positive_number, section.strength);
     visit("range", positive_number, section.range);
+  }
+  if constexpr (std::same_as<Section, CellSettings>) {
+    visit("vectors", cell_vectors, section.vectors);
+    visit("mean_velocity", unless_default(any_vector), section.mean_velocity);
+    visit("pressure_gradient", Optional{any_vector}, section.pressure_gradient);
   }
   if constexpr (std::same_as<Section, SolverSettings>) {
     visit("tolerance", Optional{accuracy}, section.tolerance);

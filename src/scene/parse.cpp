@@ -70,9 +70,9 @@ BackgroundFlow read_flow(const Node& node, std::vector<std::string_view> others)
 }
 
 SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
-  const TableReader root(
-      node, {"title", "seed", "fluid", "flow", "walls", "bodies", "body_lists", "fill", "tracers",
-             "gravity", "magnetic_field", "repulsion", "solver", "time", "contact", "output"});
+  const TableReader root(node, {"title", "seed", "fluid", "flow", "cell", "walls", "bodies",
+                                "body_lists", "fill", "tracers", "gravity", "magnetic_field",
+                                "repulsion", "solver", "time", "contact", "output"});
   SceneFile file;
   auto& [scene, fills] = file;
   scene.title = root.get("title", Requirement<std::string>{"text"}, scene.title);
@@ -91,7 +91,7 @@ SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
           "not allowed with an outer wall, which drives the flow; only reverse_at is");
     }
     scene.flow = read_flow(*flow, {"amplitude", "gauge_length", "reverse_at"});
-    if (std::holds_alternative<QuiescentFlow>(scene.flow)) {
+    if (std::holds_alternative<QuiescentFlow>(scene.flow) && root.find("cell") == nullptr) {
       table.refuse({"amplitude"}, "has no effect: give kind, or remove it");
     }
     scene.flow_amplitude = table.get("amplitude", any_amplitude, scene.flow_amplitude);
@@ -109,6 +109,7 @@ SceneFile read_root(const Node& node, const std::filesystem::path& directory) {
   scene = with_matched_tolerances(root, std::move(scene));
   scene.contact = read_contact(root, file);
   scene.output = read_output(root);
+  scene.cell = read_cell(root, file);
   if (scene.walls.empty() && scene.bodies.empty() && fills.empty()) {
     fail(node, "a scene must have a wall, a body or a fill: write [[walls]], [[bodies]], ...");
   }

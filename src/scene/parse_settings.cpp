@@ -1,7 +1,8 @@
-// Reads the sections [time], [contact] and [output] of a scene file. [contact] is checked
-// against the bodies and time steps, which must allow contact.
+// Reads the sections [time], [contact], [cell] and [output] of a scene file. [contact] is checked
+// against the bodies and time steps, which must allow contact, and [cell] against all sections.
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -163,6 +164,66 @@ std::optional<ContactSettings> read_contact(const TableReader& root, const Scene
          "contact is resolved with \"euler\" and \"heun\"");
   }
   return contact;
+}
+
+std::optional<CellSettings> read_cell(const TableReader& root, const SceneFile& file) {
+  const Scene& scene = file.scene;
+  const Node* node = root.find("cell");
+  if (node == nullptr) return std::nullopt;
+  const CellSettings cell = read(*node, TableOf<CellSettings>{});
+  root.refuse({"walls"},
+              "not allowed with [cell]: walls do not move with the lattice; a body with "
+              "held = true is an obstacle that repeats");
+  root.refuse({"fill", "tracers", "repulsion", "contact"}, "not supported in a periodic cell yet");
+  const auto refuse = [&](std::string_view section, std::initializer_list<std::string_view> keys,
+                          const std::string& reason) {
+    if (const Node* table = root.find(section)) TableReader(*table).refuse(keys, reason);
+  };
+  refuse("flow", {"gauge_length"},
+         "not allowed with [cell], whose Stokeslets have the mean zero and no gauge");
+  refuse("output", {"fields", "nodes"}, "not supported in a periodic cell yet");
+  if (scene.solver.summation == Summation::direct) {
+    refuse("solver", {"summation"}, "not allowed with [cell], whose images the direct sum lacks");
+  }
+  if (scene.solver.preconditioner == PreconditionerKind::clusters ||
+      scene.solver.preconditioner == PreconditionerKind::direct) {
+    refuse("solver", {"preconditioner"}, "not supported in a periodic cell yet");
+  }
+  if (scene.solver.coupling == Coupling::local) {
+    refuse("solver", {"coupling"}, "not supported in a periodic cell yet");
+  }
+  const bool is_linear = std::holds_alternative<QuiescentFlow>(scene.flow) ||
+                         std::holds_alternative<ShearFlow>(scene.flow) ||
+                         std::holds_alternative<LinearFlow>(scene.flow);
+  if (!is_linear) {
+    refuse("flow", {"kind"},
+           "must be one of quiescent, shear, linear with [cell]: other flows do "
+           "not repeat; cell.mean_velocity is a uniform flow");
+  }
+  if (std::holds_alternative<QuiescentFlow>(scene.flow) && cell.mean_velocity == Complex{} &&
+      !cell.pressure_gradient) {
+    refuse("flow", {"amplitude"}, "has no effect: give kind, or remove it");
+  }
+  // The eigenvalues +-sqrt(-det G) of a traceless gradient are real if flow.gradient draws lengths
+  // out exponentially.
+  const auto* linear = std::get_if<LinearFlow>(&scene.flow);
+  const Eigen::Matrix2d g = linear == nullptr ? Eigen::Matrix2d::Zero() : linear->gradient;
+  constexpr double rounding = 1e-12;
+  if (scene.time && g(0, 1) * g(1, 0) - g(0, 0) * g(1, 1) > rounding * g.squaredNorm()) {
+    refuse("flow", {"gradient"},
+           "draws the lattice of [cell] out until bodies meet their images: remove [time], or give "
+           "a determinant >= 0");
+  }
+  const TableReader table(*node);
+  if (cell.pressure_gradient) {
+    table.refuse({"mean_velocity"}, "give mean_velocity or pressure_gradient, not both");
+    if (std::ranges::none_of(scene.bodies, &Body::held)) {
+      table.refuse({"pressure_gradient"},
+                   "requires a body with held = true: without one, the forces on free bodies "
+                   "determine the gradient");
+    }
+  }
+  return cell;
 }
 
 OutputSettings read_output(const TableReader& root) {

@@ -377,6 +377,15 @@ struct OutputSettings {
   bool operator==(const OutputSettings&) const = default;   ///< compares all members
 };
 
+/// A periodic cell: all bodies repeat with the vectors of a lattice, which the flow carries along.
+struct CellSettings {
+  Eigen::Matrix2d vectors = Eigen::Matrix2d::Identity();  ///< rows: two vectors at t = 0, length
+  Complex mean_velocity{};  ///< over the cell, bodies included, beside the flow; length / time
+  std::optional<Complex> pressure_gradient{};  ///< mean over the cell, force / length^3; none: the
+                                               ///< mean velocity is given
+  bool operator==(const CellSettings&) const = default;  ///< compares all members
+};
+
 /// A scene: everything that a solver requires.
 struct Scene {
   std::string title{};                   ///< title of pictures and animation
@@ -385,6 +394,7 @@ struct Scene {
   BackgroundFlow flow{};                 ///< quiescent if a wall encloses the fluid
   std::optional<double> gauge_length{};  ///< length in the Stokeslets' -log(r / gauge_length)
   Amplitude flow_amplitude{};            ///< factor of the flow
+  std::optional<CellSettings> cell{};    ///< none: nothing repeats
   /// Ascending times > 0 at which flow, motions, gravity, given forces and torques change sign
   std::vector<double> reverse_at{};
   std::optional<Gravity> gravity{};               ///< none: no weight, no buoyancy

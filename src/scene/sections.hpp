@@ -48,6 +48,10 @@ Scene with_matched_tolerances(const TableReader& root, Scene scene);
 /// @param  file  the sections read before: bodies, fills and time, which must allow contact
 std::optional<ContactSettings> read_contact(const TableReader& root, const SceneFile& file);
 
+/// Reads [cell], and refuses what a cell excludes.
+/// @param  file  all other sections
+std::optional<CellSettings> read_cell(const TableReader& root, const SceneFile& file);
+
 /// Reads [output].
 OutputSettings read_output(const TableReader& root);
 

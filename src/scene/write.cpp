@@ -221,7 +221,7 @@ std::string to_toml(const SceneFile& file) {
   const auto& [scene, fills] = file;
   std::string text = lines({{"title", scene.title}, {"seed", scene.seed}});
   text += "\n[fluid]\n" + lines({{"viscosity", scene.viscosity}});
-  text += flow_section(scene);
+  text += flow_section(scene) + section("cell", scene.cell);
   for (const Wall& wall : scene.walls) text += section(wall);
   for (const Body& body : scene.bodies) text += section(body);
   for (const Fill& fill : fills) text += section(fill);

@@ -168,7 +168,8 @@ Measurement neighbours(const Scene& scene, const BodyFrames& frames) {
     for (std::size_t k = 0; k < bodies; ++k) {
       configuration[k] = {frames.bodies[f][k].position, frames.bodies[f][k].orientation};
     }
-    for (const auto& [a, b, closest] : gaps_within(configuration, discretisation, limits.back())) {
+    for (const auto& [a, b, closest, shift] :
+         gaps_within(configuration, discretisation, limits.back())) {
       if (a >= bodies) continue;  // the gap of two walls
       MatrixXd& numbers = b < bodies ? at_bodies : at_walls;
       for (std::size_t k = 0; k < limits.size(); ++k) {

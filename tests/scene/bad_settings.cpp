@@ -63,9 +63,9 @@ BOOST_AUTO_TEST_CASE(top_level) {
       {"tilte = 'x'\n", "s.toml:1:1: tilte = \"x\": unknown key, did you mean 'title'?"},
       {"title = 'x'\n\n[solvr]\n", "s.toml:3:2: solvr: unknown key, did you mean 'solver'?"},
       {"zeta = 1\nalpha = 1\n",
-       "s.toml:1:1: zeta = 1: unknown key; valid keys: title, seed, fluid, flow, walls, bodies, "
-       "body_lists, fill, tracers, gravity, magnetic_field, repulsion, solver, time, contact, "
-       "output"},
+       "s.toml:1:1: zeta = 1: unknown key; valid keys: title, seed, fluid, flow, cell, walls, "
+       "bodies, body_lists, fill, tracers, gravity, magnetic_field, repulsion, solver, time, "
+       "contact, output"},
       {"[bodies]\n",
        "s.toml:1:1: bodies: must be an array of tables: write [[bodies]], not a table"},
       {"bodies = [1]\n", "s.toml:1:11: bodies[0] = 1: must be a table, not an integer"},

@@ -310,6 +310,20 @@ BOOST_AUTO_TEST_CASE(numbers_are_short_and_floats) {
   BOOST_TEST(toml_value(1.0 / 3.0) == "0.3333333333333333");
 }
 
+BOOST_AUTO_TEST_CASE(cells) {
+  Dice dice(7);
+  for (int run = 0; run < 20; ++run) {
+    SceneFile file = parse_file("[cell]\nvectors = [[2, 0], [1, 3]]\n" + disk());
+    Scene& scene = file.scene;
+    const double length = dice.positive();
+    scene.cell->vectors << length, 0.0, length * dice.uniform(-3, 3), length * dice.uniform(0.1, 3);
+    (dice.coin() ? scene.cell->mean_velocity : scene.cell->pressure_gradient.emplace()) =
+        dice.vector();
+    scene.bodies[0].held = scene.cell->pressure_gradient.has_value();
+    BOOST_TEST((parse_file(to_toml(file)) == file));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_text_is_as_one_would_write_it) {
   const SceneFile file =
       parse_file("title = 'one disk'\nseed = 3\n[flow]\nkind = 'shear'\nrate = 1\n" + disk());

@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(datum_of_the_pressure) {
   const Curve wall = place(sample(Ellipse{3.0, 2.5}, 150, Side::fluid_inside), {0.1, 0.0}, 0.0);
   BOOST_TEST(std::abs(field.pressure[at] - (here - mean_pressure(solved, wall))) < 1e-10);
 
-  const auto& [configuration, forcing] = solved.solution.instant;
+  const auto& [configuration, forcing, cell, shifts] = solved.solution.instant;
   const Solution reversed = solved.solver.solve({configuration, scaled(-1.0, forcing)});
   const Field back = evaluate_field(solved.solver, reversed);
   BOOST_TEST(std::abs(back.pressure[at] + field.pressure[at]) < 1e-10);

@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_velocity) {
   for (const Units& units : two_units) {
     for (const double amplitude : {1.0, -1.0}) {
       Solved solved(in_units(loaded_trio(58), units));
-      const auto& [configuration, forcing] = solved.solution.instant;
+      const auto& [configuration, forcing, cell, shifts] = solved.solution.instant;
       solved.solution = solved.solver.solve({configuration, scaled(amplitude, forcing)});
       const double h = 1e-3 * units.length;
       for (const Complex point : fluid_points(solved, 4 * units.length, 0.1 * units.length)) {

@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(interpolated_slip) {
 
 BOOST_AUTO_TEST_CASE(slip_reverses_with_the_flow) {
   const SuspensionSolver solver(scene({swimmer(Circle{0.8}, Squirmer{{1.4, 0.6}}, {1.0, 2.0})}));
-  const auto [start, forcing] = solver.start();
+  const auto [start, forcing, cell, shifts] = solver.start();
   BOOST_TEST(std::abs(solver.solve({start, scaled(-1.0, forcing)}).motions[0].velocity + 0.7) <
              1e-13);
 }

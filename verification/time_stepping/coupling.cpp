@@ -115,7 +115,7 @@ double error_of_lagged(double gap, int steps, Event event) {
     const auto before = [&](const Discretisation& discretisation) {
       return densities.guess(t, at(t), discretisation);
     };
-    const auto& [configuration, forcing] = solver.instant(at(t));
+    const auto& [configuration, forcing, cell, shifts] = solver.instant(at(t));
     lagged = solver.solve_lagged({configuration, scaled(reverses ? -1.0 : 1.0, forcing)}, before);
     densities.add(t, at(t), lagged.discretisation, lagged.density);
   }

@@ -85,6 +85,11 @@ struct RelativeVelocityAt {
 
 }  // namespace
 
+BackgroundFlow undisturbed_flow(const Scene& scene) {
+  if (!scene.cell || scene.cell->mean_velocity == Complex{}) return scene.flow;
+  return SumFlow{{UniformFlow{scene.cell->mean_velocity}, scene.flow}};
+}
+
 ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points) {
   return points.unaryExpr([&](Complex point) { return std::visit(VelocityAt{point}, flow); });
 }

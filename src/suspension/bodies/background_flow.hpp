@@ -7,6 +7,9 @@
 
 namespace stokesbook {
 
+/// Returns the undisturbed flow of a scene: in a periodic cell, with the mean velocity of the cell.
+BackgroundFlow undisturbed_flow(const Scene& scene);
+
 /// Evaluates the velocity of an undisturbed flow at m points.
 ComplexVector background_velocity(const BackgroundFlow& flow, const ComplexVector& points);
 

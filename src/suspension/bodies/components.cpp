@@ -38,6 +38,11 @@ std::string name_pair(const Scene& scene, std::size_t a, std::size_t b) {
   return component_of(scene, a).name() + " and " + component_of(scene, b).name();
 }
 
+std::string name_image_pair(const Scene& scene, std::size_t a, std::size_t b) {
+  return component_of(scene, a).name() +
+         (a == b ? " and its own image" : " and an image of " + component_of(scene, b).name());
+}
+
 Side side_of(ComponentKind kind) {
   return kind == ComponentKind::enclosing_wall ? Side::fluid_inside : Side::fluid_outside;
 }

@@ -47,6 +47,10 @@ ComponentView component_of(const Scene& scene, std::size_t k);
 /// Names two components of a scene for messages: "body 3 and wall 0".
 std::string name_pair(const Scene& scene, std::size_t a, std::size_t b);
 
+/// Names a component and an image of a component in a periodic cell: "body 3 and an image of body
+/// 5", "body 3 and its own image".
+std::string name_image_pair(const Scene& scene, std::size_t a, std::size_t b);
+
 /// Returns the side of a component's curve on which the fluid lies: inside an enclosing wall,
 /// outside all other components.
 Side side_of(ComponentKind kind);

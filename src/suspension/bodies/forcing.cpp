@@ -57,6 +57,38 @@ double value(const Amplitude& amplitude, const StepTime& time) {
   return std::visit(AmplitudeAt{time}, amplitude);
 }
 
+// Integrates an amplitude over time, from 0 to t.
+struct AmplitudeIntegral {
+  double t;
+
+  double operator()(const ConstantAmplitude&) const { return t; }
+  double operator()(const SteppedAmplitude& steps) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < steps.times.size() && steps.times[k] < t; ++k) {
+      const double end = k + 1 < steps.times.size() ? std::min(t, steps.times[k + 1]) : t;
+      sum += steps.values[k] * (end - steps.times[k]);
+    }
+    return sum;
+  }
+  double operator()(const RampedAmplitude& ramp) const {
+    // The ramp is linear between these times.
+    std::vector<double> times{0.0};
+    for (const double time : ramp.times) times.push_back(std::min(time, t));
+    times.push_back(t);
+    double sum = 0.0;
+    for (std::size_t k = 0; k + 1 < times.size(); ++k) {
+      const double middle = 0.5 * (times[k] + times[k + 1]);
+      sum += (times[k + 1] - times[k]) * AmplitudeAt{{middle, middle}}(ramp);
+    }
+    return sum;
+  }
+  double operator()(const OscillatingAmplitude& oscillation) const {
+    const auto& [mean, swing, period, phase] = oscillation;
+    const double rate = 2.0 * pi / period;
+    return mean * t + swing / rate * (std::sin(rate * t + phase) - std::sin(phase));
+  }
+};
+
 // Collects the amplitudes of flow, motions and loads.
 std::vector<const Amplitude*> amplitudes_of(const Scene& scene) {
   std::vector<const Amplitude*> amplitudes{&scene.flow_amplitude};
@@ -78,7 +110,7 @@ void add(Load& load, Complex force, Complex offset) {
 void add_repulsion(std::vector<Load>& loads, const Scene& scene,
                    const Discretisation& discretisation, const Configuration& configuration) {
   const auto [strength, range] = *scene.repulsion;
-  for (const auto& [a, b, closest] :
+  for (const auto& [a, b, closest, shift] :
        gaps_within(configuration, discretisation, longest_repulsion * range)) {
     const Complex apart = closest.point_b - closest.point_a;
     if (apart == 0.0) continue;  // curves that touch are refused
@@ -157,6 +189,22 @@ Forcing forcing_at(const Scene& scene, const Discretisation& discretisation, con
   }
   if (scene.repulsion) add_repulsion(forcing.loads, scene, discretisation, configuration);
   return forcing;
+}
+
+double flow_time(const Scene& scene, double t) {
+  // The flow changes its sign at each reversal.
+  double sum = 0.0, sign = 1.0, begin = 0.0;
+  const auto add_until = [&](double end) {
+    const double before = std::visit(AmplitudeIntegral{begin}, scene.flow_amplitude);
+    sum += sign * (std::visit(AmplitudeIntegral{end}, scene.flow_amplitude) - before);
+    begin = end;
+    sign = -sign;
+  };
+  for (const double reversal : scene.reverse_at) {
+    if (reversal < t) add_until(reversal);
+  }
+  add_until(t);
+  return sum;
 }
 
 std::vector<double> forcing_events(const Scene& scene) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "closure/closure.hpp"
 #include "scene/scene.hpp"
+#include "suspension/bodies/cell.hpp"
 #include "suspension/bodies/configuration.hpp"
 #include "suspension/bodies/discretised_shape.hpp"
 
@@ -27,8 +30,22 @@ struct Forcing {
 
 /// The data on which the flow of an instant depends, in addition to the scene.
 struct Instant {
-  Configuration configuration;  ///< poses of the components
-  Forcing forcing;              ///< what drives the flow
+  /// Poses of the components; in a periodic cell, of their images in the cell.
+  Configuration configuration;
+  Forcing forcing;                       ///< what drives the flow
+  std::optional<PeriodicCell> cell{};    ///< lattice at this time; none: nothing repeats
+  std::vector<PathShift> path_shifts{};  ///< of each component; empty without a cell
+
+  /// Returns where the path of component k is, length.
+  Complex path_position(std::size_t k) const {
+    const Complex position = configuration[k].position;
+    return cell ? position + path_shifts[k].vector : position;
+  }
+
+  /// Returns the velocity of component k on its path relative to its image, length / time.
+  Complex path_velocity(std::size_t k) const {
+    return cell ? forcing.flow * path_shifts[k].velocity : Complex{};
+  }
 };
 
 /// Multiplies flow, motions and loads by a factor.
@@ -43,6 +60,9 @@ Complex area_centroid(const Curve& curve);
 /// @par Cost  O(nodes); with repulsion, that of gaps_within()
 Forcing forcing_at(const Scene& scene, const Discretisation& discretisation, const StepTime& time,
                    const Configuration& configuration);
+
+/// Returns the integral over time, from 0 to t, of the factor of the flow of a scene.
+double flow_time(const Scene& scene, double t);
 
 /// Returns the ascending times > 0 at which the forcing of a scene is not smooth in time.
 std::vector<double> forcing_events(const Scene& scene);

@@ -32,7 +32,7 @@ std::string number_of(std::size_t n, const std::string& one, const std::string& 
 
 PlanLine problem_line(const ComponentCounts& counts, const Scene& scene) {
   const std::size_t prescribed = counts.held + counts.inner;
-  std::string decision = counts.outer > 0 ? "bounded" : "unbounded";
+  std::string decision = counts.outer > 0 ? "bounded" : scene.cell ? "periodic" : "unbounded";
   decision += counts.free == 0                 ? " resistance problem"
               : prescribed + counts.outer == 0 ? " mobility problem"
                                                : " mixed problem";
@@ -46,6 +46,14 @@ PlanLine problem_line(const ComponentCounts& counts, const Scene& scene) {
 
 PlanLine far_field_line(const ComponentCounts& counts, const Scene& scene) {
   if (counts.outer > 0) return {"far field", "none", "the fluid ends at the enclosing wall"};
+  if (scene.cell) {
+    if (scene.cell->pressure_gradient) {
+      return {"far field", "given gradient of the pressure, free mean velocity",
+              "cell.pressure_gradient"};
+    }
+    return {"far field", "given mean velocity",
+            "a periodic cell, in which forces need not balance"};
+  }
   if (scene.gauge_length) {
     return {"far field", "Stokeslets of gauge length " + short_number(*scene.gauge_length),
             "flow.gauge_length is given"};
@@ -264,17 +272,36 @@ std::vector<std::string> component_texts(const SuspensionSolver& solver,
   return texts;
 }
 
-std::string sum_text(const Plan& plan, Eigen::Index nodes) {
+std::string sum_text(const Plan& plan, Eigen::Index nodes, bool has_cell) {
   const bool asked = plan.summation != Summation::automatic;
+  const FmmSettings settings = FmmSettings::for_tolerance(plan.sum_tolerance);
+  const std::string fast =
+      "fast multipole method of order " + std::to_string(settings.order) + ": ";
+  if (has_cell) return fast + "a periodic cell";
   if (!plan.is_fast(nodes)) {
     return StressletSum::automatic_storage(nodes) == KernelStorage::stored
                ? "direct, stored matrix: few nodes, the matrix stays in the cache"
                : "direct, streamed: evaluating the kernel is faster than reading a stored matrix";
   }
-  const FmmSettings settings = FmmSettings::for_tolerance(plan.sum_tolerance);
-  return "fast multipole method of order " + std::to_string(settings.order) + ": " +
+  return fast +
          (asked ? "solver.summation"
                 : "more nodes than the " + std::to_string(break_even(settings)) + " of break-even");
+}
+
+std::string vector_text(Complex vector) {
+  return "(" + short_number(vector.real()) + ", " + short_number(vector.imag()) + ")";
+}
+
+// Describes the cell at the start, and the sums over its images.
+std::string cell_text(const SuspensionSolver& solver, const Resolutions& resolutions) {
+  const Instant start = solver.start();
+  const Lattice lattice = lattice_of(*start.cell);
+  const double tolerance = solver.plan().sum_tolerance;
+  const FastSum sum(solver.problem(start, solver.discretise(resolutions)), tolerance);
+  return "area " + short_number(lattice.area()) + ", reduced basis " +
+         vector_text(lattice.shortest()) + ", " + vector_text(lattice.second()) + "; " +
+         std::to_string(sum.near_images().size()) + " near images, all others by an operator of " +
+         "order " + std::to_string(FmmSettings::for_tolerance(tolerance).order);
 }
 
 std::string late_reversals(const Scene& scene) {
@@ -317,22 +344,25 @@ std::vector<std::string> describe(const SuspensionSolver& solver) {
     add(topic, decision + ": " + reason);
   }
   add("time", scene.time ? steps_text(scene) + late_reversals(scene) : "none: one solve at t = 0");
-  const Configuration start = solver.start().configuration;
-  const std::vector<Gap> gaps = solver.gaps(start);
+  const Instant instant = solver.start();
+  const Configuration& start = instant.configuration;
+  const std::vector<Gap> gaps = solver.gaps(start, instant.cell);
   const Resolutions resolutions = solver.first_resolutions(start, gaps);
   long long nodes = 0;
   for (const Resolution& resolution : resolutions) nodes += resolution.n_nodes;
   add("unknowns", std::to_string(2 * nodes) + ": " + std::to_string(nodes) +
                       " nodes; motions and loads are functionals of the density (reduced closure)");
-  add("summation", sum_text(solver.plan(), nodes));
+  add("summation", sum_text(solver.plan(), nodes, scene.cell.has_value()));
+  if (scene.cell) add("cell", cell_text(solver, resolutions));
   if (is_enclosed(scene) && has_velocity_data(scene)) add("velocity data", flux_text(solver));
   const std::vector<int> recommended = solver.recommended_nodes(start, gaps);
   for (const std::string& text : component_texts(solver, resolutions, recommended)) {
     add("components", text);
   }
   if (!gaps.empty()) {
-    const auto& [a, b, points] = gaps.front();
-    add("closest pair", name_pair(scene, a, b) + ", " + short_number(points.gap) + " apart");
+    const auto& [a, b, points, shift] = gaps.front();
+    add("closest pair", (shift == 0.0 ? name_pair(scene, a, b) : name_image_pair(scene, a, b)) +
+                            ", " + short_number(points.gap) + " apart");
   }
   return lines;
 }

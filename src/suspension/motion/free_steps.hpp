@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "suspension/contact/gap_constraints.hpp"
 #include "suspension/motion/stepping.hpp"
 
@@ -15,12 +18,16 @@ class PassingTest {
   /// Looks for pairs that overlap on straight paths with uniform rotations. Overlaps of less than a
   /// hundredth of the smallest body's radius of gyration are not found.
   ///
+  /// In a periodic cell, pairs of a component and an image are tested, too.
+  ///
   /// @param  closest  least gap at the start, length: shorter steps need no search
+  /// @param  lattice  in a periodic cell, with the start of the images in the cell, and the end of
+  ///                  the same images
   /// @return          a message that names the first such pair; empty if there is none
   /// @par Cost        O(components) where all steps are shorter than the least gap; else that of
   ///                  interferences()
-  std::string describe_passing(const Configuration& start, const Configuration& end,
-                               double closest) const;
+  std::string describe_passing(const Configuration& start, const Configuration& end, double closest,
+                               const std::optional<LatticeStep>& lattice = {}) const;
 
  private:
   const SuspensionSolver& solver_;

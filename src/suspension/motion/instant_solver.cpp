@@ -63,7 +63,7 @@ TimedSolution InstantSolver::solve(const StepTime& time, const Configuration& co
   if (!estimated) solution.error_estimate = memory_.error_estimate;
   memory_.densities.add(t, configuration, solution.discretisation, solution.density);
   if (!solver_.scene().contact) solution.system.reset();  // only contact solves it again
-  if (loads_) memory_.motions = solution.motions;
+  if (loads_) memory_.motions = path_motions(solution);
   memory_.error_estimate = solution.error_estimate;
   memory_.solves_since_estimate = estimated ? 0 : memory_.solves_since_estimate + 1;
   statistics_.add_resolution(solution);

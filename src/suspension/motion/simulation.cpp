@@ -18,10 +18,12 @@ namespace {
 
 Frame make_frame(double t, std::size_t bodies, const Solution& solution) {
   const Configuration& configuration = solution.instant.configuration;
+  const std::vector<RigidMotion> motions = path_motions(solution);
   Frame frame{t, {}, {}};
   for (std::size_t k = 0; k < configuration.size(); ++k) {
-    const auto [position, orientation] = configuration[k];
-    const auto [velocity, omega] = solution.motions[k];
+    const Complex position = solution.instant.path_position(k);
+    const double orientation = configuration[k].orientation;
+    const auto [velocity, omega] = motions[k];
     const auto [force, torque] = solution.loads[k];
     if (k < bodies) {
       frame.bodies.push_back({position, orientation, velocity, omega, force, torque});

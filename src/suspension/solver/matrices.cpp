@@ -56,7 +56,8 @@ HydrodynamicMatrices hydrodynamic_matrices(const Scene& scene) {
         "the matrices belong to free bodies, and the scene has none: set held = "
         "false for at least one body");
   }
-  if (free.size() == scene.bodies.size() && scene.walls.empty() && !scene.gauge_length) {
+  if (free.size() == scene.bodies.size() && scene.walls.empty() && !scene.gauge_length &&
+      !scene.cell) {
     throw SolverError(
         "a mobility matrix requires forces that do not balance, which cause infinite velocities in "
         "an unbounded fluid (Stokes' paradox): give flow.gauge_length, a wall or a held body");
@@ -66,6 +67,7 @@ HydrodynamicMatrices hydrodynamic_matrices(const Scene& scene) {
   Scene loaded = scene;
   loaded.flow = {};
   loaded.contact.reset();
+  if (scene.cell) loaded.cell = CellSettings{scene.cell->vectors};
   const SuspensionSolver mobility(loaded);
   const Instant start = mobility.start();
   const Forcing none = scaled(0.0, start.forcing);
@@ -82,11 +84,12 @@ HydrodynamicMatrices hydrodynamic_matrices(const Scene& scene) {
     const SuspensionSolver resistance(moved);
     for (Index j = kind; j < size; j += 3) {
       const std::size_t driven = free[static_cast<std::size_t>(j / 3)];
-      Forcing unit_load = none, unit_motion = none;
-      unit_load.loads[driven] = {along, turn};
-      unit_motion.motions[driven] = 1.0;
-      const Solution moving = mobility.solve({start.configuration, unit_load});
-      const Solution loading = resistance.solve({start.configuration, unit_motion});
+      Instant unit_load = start, unit_motion = start;
+      unit_load.forcing = unit_motion.forcing = none;
+      unit_load.forcing.loads[driven] = {along, turn};
+      unit_motion.forcing.motions[driven] = 1.0;
+      const Solution moving = mobility.solve(unit_load);
+      const Solution loading = resistance.solve(unit_motion);
       for (Index k = 0; k < std::ssize(free); ++k) {
         const std::size_t body = free[static_cast<std::size_t>(k)];
         const auto& [velocity, omega] = moving.motions[body];

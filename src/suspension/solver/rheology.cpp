@@ -132,21 +132,25 @@ double Rheometer::order_parameter(const Configuration& configuration) const {
 
 double Rheometer::excess_dissipation(const Solution& solution,
                                      const std::vector<Complex>& stresslets) const {
-  const auto& [configuration, forcing] = solution.instant;
+  const auto& [configuration, forcing, cell, shifts] = solution.instant;
   const double amplitude = forcing.flow;
   const Scene& scene = solver_.scene();
   if (contains<TaylorGreenFlow>(scene.flow) || std::ranges::any_of(scene.walls, deforms)) {
     return Rheology::undefined;
   }
-  // The sum of E:S_k (07.16), F_k . (U_k - u_inf(c_k)) and L_k (omega_k - Omega_inf).
+  // The sum of E:S_k (07.16), F_k . (U_k - u_inf(c_k)) and L_k (omega_k - Omega_inf). In a cell,
+  // whose forces need not balance, u_inf includes a mean velocity that is a result.
+  const BackgroundFlow flow = undisturbed_flow(scene);
+  const Complex mean = cell ? solution.uniform_velocity : Complex{};
   double power = 0.0;
   for (std::size_t k = 0; k < stresslets.size(); ++k) {
     const Complex centre = configuration[k].position;
-    const auto [stream, rotation] = background_rigid_motion(scene.flow, centre);
+    const auto [stream, rotation] = background_rigid_motion(flow, centre);
     const Complex strain = background_derivatives(scene.flow, centre).strain;
     const auto& [velocity, omega] = solution.motions[k];
     const auto& [force, torque] = solution.loads[k];
-    power += dot(amplitude * strain, stresslets[k]) + dot(force, velocity - amplitude * stream) +
+    power += dot(amplitude * strain, stresslets[k]) +
+             dot(force, velocity - amplitude * stream - mean) +
              torque * (omega - amplitude * rotation);
   }
   return power;

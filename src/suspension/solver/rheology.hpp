@@ -22,15 +22,18 @@ std::optional<double> long_axis(const Curve& curve);
 ///   moving walls (07.11). In an unbounded fluid with a linear background and balanced forces: the
 ///   dissipation that bodies and walls add to the dissipation of the undisturbed flow in the same
 ///   plane, the sum over k of \f$ E:S_k \f$, \f$ F_k\cdot(U_k - u_\infty(c_k)) \f$ and
-///   \f$ L_k(\omega_k - \Omega_\infty) \f$; not defined if a wall deforms. The power of slips is
-///   added in both cases.
+///   \f$ L_k(\omega_k - \Omega_\infty) \f$; not defined if a wall deforms. In a periodic cell, the
+///   same sum, also for forces that do not balance, is the dissipation that the bodies add to the
+///   dissipation \f$ 2\mu VE:E \f$ of the undisturbed flow in the cell. The power of slips is added
+///   in all cases.
 /// - Torque ratio, in a Couette cell: torque of the inner wall over its torque without bodies.
 /// - Order parameter: mean of \f$ \cos 2(\theta - \theta_f) \f$ over the bodies with a long axis at
 ///   \f$ \theta \f$. The flow's direction \f$ \theta_f \f$ is 0 in shear, extensional and linear
 ///   flow and in their sums, and the azimuthal direction about the outer wall's position in a
 ///   Couette cell; in other scenes the order parameter is not defined.
 /// - Stresslet, in an unbounded fluid: the sum over bodies and walls, by body_stresslet().
-/// - Uniform velocity, in an unbounded fluid: the velocity at infinity, if it is an unknown.
+/// - Uniform velocity, in an unbounded fluid: the velocity at infinity, if it is an unknown; in a
+///   periodic cell the mean velocity, if it is.
 ///
 /// In a linear flow the mean stress of the suspension in an area A is
 /// \f$ -pI + 2\mu E + \sum_kS_k/A \f$ (07.16).

@@ -23,6 +23,14 @@ RigidMotion scaled(double factor, const RigidMotion& motion) {
 
 }  // namespace
 
+std::vector<RigidMotion> path_motions(const Solution& solution) {
+  std::vector<RigidMotion> motions = solution.motions;
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    motions[k].velocity += solution.instant.path_velocity(k);
+  }
+  return motions;
+}
+
 Complex frame_velocity(const Scene& scene, const Forcing& forcing) {
   const Wall* outer = only_wall(scene, WallRole::outer);
   if (outer == nullptr) return 0.0;
@@ -34,11 +42,12 @@ Complex frame_velocity(const Scene& scene, const Forcing& forcing) {
 
 StokesProblem instant_problem(const Scene& scene, const Instant& instant,
                               const Discretisation& discretisation) {
-  const auto& [configuration, forcing] = instant;
+  const auto& [configuration, forcing, cell, shifts] = instant;
   require(
       forcing.motions.size() == configuration.size() && forcing.loads.size() == scene.bodies.size(),
       "an instant lacks its forcing: make it by SuspensionSolver::instant()");
-  StokesProblem problem{{}, scene.viscosity, {}, scene.gauge_length};
+  StokesProblem problem{{}, scene.viscosity, {}, scene.gauge_length, cell};
+  if (cell && cell->pressure_gradient) *problem.cell->pressure_gradient *= forcing.flow;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const auto [position, orientation] = configuration[k];
     const Curve curve = place(discretisation[k]->curve, position, orientation);
@@ -50,19 +59,20 @@ StokesProblem instant_problem(const Scene& scene, const Instant& instant,
       component.force = forcing.loads[k].force;
       component.torque = forcing.loads[k].torque;
     } else {
-      component.velocity.array() -= frame_velocity(scene, forcing);
+      component.velocity.array() -= frame_velocity(scene, forcing) + instant.path_velocity(k);
     }
     problem.components.push_back(std::move(component));
   }
   if (is_bounded(problem)) return problem;
+  const BackgroundFlow flow = undisturbed_flow(scene);
   const std::vector<Index> offsets = node_offsets(problem);
   problem.background.resize(offsets.back());
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];
     problem.background.segment(offsets[k], component.curve.size()) =
         forcing.flow * (component.kind == ComponentKind::free_body
-                            ? straining_velocity(scene.flow, component)
-                            : background_velocity(scene.flow, component.curve.x));
+                            ? straining_velocity(flow, component)
+                            : background_velocity(flow, component.curve.x));
   }
   return problem;
 }
@@ -88,17 +98,19 @@ Solution complete_solution(const Scene& scene, Solution solution, GmresResult gm
   solution.motions = completion.motions;
   solution.loads = completion.loads;
   solution.uniform_velocity = completion.uniform_velocity;
+  const BackgroundFlow flow = undisturbed_flow(scene);
   for (std::size_t k = 0; k < solution.motions.size(); ++k) {
     const ComponentView component = component_of(scene, k);
     if (component.kind != ComponentKind::free_body) {
       solution.motions[k] = scaled(forcing.motions[k], prescribed_motion(component));
+      solution.motions[k].velocity -= solution.instant.path_velocity(k);
       continue;
     }
     // The problem leaves out the rigid motion of the flow at the body, and of the container.
     const Complex centre = problem.components[k].centre;
-    const RigidMotion carried =
-        is_bounded(problem) ? RigidMotion{frame_velocity(scene, forcing)}
-                            : scaled(forcing.flow, background_rigid_motion(scene.flow, centre));
+    const RigidMotion carried = is_bounded(problem)
+                                    ? RigidMotion{frame_velocity(scene, forcing)}
+                                    : scaled(forcing.flow, background_rigid_motion(flow, centre));
     solution.motions[k].velocity += carried.velocity;
     solution.motions[k].omega += carried.omega;
   }

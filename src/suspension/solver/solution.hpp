@@ -31,11 +31,13 @@ struct Solution {
   Discretisation discretisation;                 ///< nodes of the density
   std::shared_ptr<const LinearSystem> system{};  ///< on these nodes; none if it was dropped
   ComplexVector density{};  ///< at all nodes, components in order, length / time
-  /// Motions of every component about its position: solved on free bodies, prescribed for held
-  /// bodies and rigid walls, else zero.
+  /// Motions of every component about its position in the instant: solved on free bodies,
+  /// prescribed for held bodies and rigid walls, else zero.
   std::vector<RigidMotion> motions{};
-  std::vector<Load> loads{};    ///< loads of every component on the fluid, about its position
-  Complex uniform_velocity{};   ///< uniform velocity of the fluid at infinity beside the background
+  std::vector<Load> loads{};  ///< loads of every component on the fluid, about its position
+  /// Uniform velocity of the fluid at infinity, or mean velocity over a periodic cell, beside the
+  /// background.
+  Complex uniform_velocity{};
   GmresResult gmres{};          ///< result of GMRES, converged
   double velocity_scale = 0.0;  ///< largest velocity in the data of the problem, which exclude
                                 ///< background_rigid_motion(); length / time
@@ -44,6 +46,10 @@ struct Solution {
   std::vector<Gap> gaps{};  ///< close pairs in ascending order, the closest pair first
   SolveCost cost{};         ///< work for this solution
 };
+
+/// Returns the motions of all components on their paths: in a periodic cell, those of a component
+/// differ from those of its image in the cell.
+std::vector<RigidMotion> path_motions(const Solution& solution);
 
 /// Returns the velocity of the frame in which an enclosed problem is solved: that of a container
 /// which translates as a whole; 0 in all other scenes.

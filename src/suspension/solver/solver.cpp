@@ -37,6 +37,13 @@ Resolutions at_least(const Resolutions& least, Resolutions resolutions) {
   return resolutions;
 }
 
+// Replaces points by their images in a periodic cell, which few images of the bodies are near.
+ComplexVector in_cell(const Scene& scene, const Instant& instant, const ComplexVector& points) {
+  if (!instant.cell) return points;
+  const Lattice lattice = lattice_of(*instant.cell);
+  return points.unaryExpr([&](Complex point) { return lattice.wrap(point, cell_centre(scene)); });
+}
+
 // Interpolates the density of a solution to other nodes of the same configuration.
 DensityGuess guess_from(const Solution& solution) {
   const Configuration& configuration = solution.instant.configuration;
@@ -99,16 +106,23 @@ Instant SuspensionSolver::start() const {
 
 Instant SuspensionSolver::instant(Configuration configuration, const StepTime& time) const {
   Forcing forcing = forcing_at(scene_, discretisation_, time, configuration);
-  return {std::move(configuration), std::move(forcing)};
+  Instant instant{std::move(configuration), std::move(forcing), cell_at(scene_, time.t)};
+  if (!instant.cell) return instant;
+  instant.path_shifts = path_shifts(scene_, *instant.cell, instant.configuration);
+  for (std::size_t k = 0; k < instant.configuration.size(); ++k) {
+    instant.configuration[k].position -= instant.path_shifts[k].vector;
+  }
+  return instant;
 }
 
-std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration) const {
-  return find_gaps(configuration, discretisation_, scene_.solver.tolerance);
+std::vector<Gap> SuspensionSolver::gaps(const Configuration& configuration,
+                                        const std::optional<PeriodicCell>& cell) const {
+  return find_gaps(configuration, discretisation_, scene_.solver.tolerance, cell);
 }
 
-std::vector<Gap> SuspensionSolver::find_open_gaps(const Configuration& configuration) const {
-  std::vector<Gap> gaps = this->gaps(configuration);
-  throw_if<ConfigurationError>(overlap_error(scene_, gaps, configuration));
+std::vector<Gap> SuspensionSolver::find_open_gaps(const Instant& instant) const {
+  std::vector<Gap> gaps = this->gaps(instant.configuration, instant.cell);
+  throw_if<ConfigurationError>(overlap_error(scene_, gaps, instant.configuration));
   return gaps;
 }
 
@@ -132,7 +146,7 @@ LinearSystem SuspensionSolver::linear_system(const Instant& instant,
                                              const Discretisation& discretisation) const {
   const Configuration& configuration = instant.configuration;
   return *assemble(instant_problem(scene_, instant, discretisation), configuration,
-                   gaps(configuration), discretisation);
+                   gaps(configuration, instant.cell), discretisation);
 }
 
 // Discretises the components of an instant and assembles its linear system.
@@ -194,7 +208,7 @@ ErrorEstimate SuspensionSolver::estimate_on_finer_nodes(const LinearSystem& disc
 
 Solution SuspensionSolver::solve(const Instant& instant, DensityGuess guess,
                                  const Resolutions& least) const {
-  const std::vector<Gap> gaps = find_open_gaps(instant.configuration);
+  const std::vector<Gap> gaps = find_open_gaps(instant);
   Effort effort{at_least(least, first_resolutions(instant.configuration, gaps)),
                 plan_.gmres_tolerance};
   constexpr int most_increases_without_tail = 3;
@@ -268,7 +282,7 @@ LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_
 
 Solution SuspensionSolver::solve_nearby(const Instant& instant, const Resolutions& earlier,
                                         const DensityGuess& guess) const {
-  const std::vector<Gap> gaps = find_open_gaps(instant.configuration);
+  const std::vector<Gap> gaps = find_open_gaps(instant);
   const Resolutions resolutions = at_least(earlier, first_resolutions(instant.configuration, gaps));
   Solution solution =
       solve_system(prepare(instant, gaps, resolutions), plan_.gmres_tolerance, guess);
@@ -278,7 +292,7 @@ Solution SuspensionSolver::solve_nearby(const Instant& instant, const Resolution
 }
 
 Solution SuspensionSolver::solve_lagged(const Instant& instant, const DensityGuess& guess) const {
-  const std::vector<Gap> gaps = find_open_gaps(instant.configuration);
+  const std::vector<Gap> gaps = find_open_gaps(instant);
   Solution solution = prepare(instant, gaps, first_resolutions(instant.configuration, gaps));
   const auto& [problem, apply, precondition, is_factorised] = *solution.system;
   const ComplexVector rhs = apply.right_hand_side(), before = guess(solution.discretisation);
@@ -307,16 +321,16 @@ Solution SuspensionSolver::solve_refined(const Solution& solution) const {
 
 ComplexVector SuspensionSolver::velocity(const Solution& solution,
                                          const ComplexVector& points) const {
-  const auto& [configuration, forcing] = solution.instant;
+  const auto& [configuration, forcing, cell, shifts] = solution.instant;
   const StokesProblem problem = loaded_problem(scene_, solution, solution.discretisation);
   const auto near_curves = scene_.solver.near_singular == NearSingular::off
                                ? std::vector<PlacedCurve>{}
                                : placed_schemes(configuration, solution.discretisation);
   const SolvedFlow flow(problem, near_curves, solution.density,
                         {plan_.near_tolerance, planned_sum(plan_)});
-  const ComplexVector velocity = flow.velocity(points);
+  const ComplexVector velocity = flow.velocity(in_cell(scene_, solution.instant, points));
   if (is_bounded(problem)) return velocity.array() + frame_velocity(scene_, forcing);
-  return velocity + forcing.flow * background_velocity(scene_.flow, points);
+  return velocity + forcing.flow * background_velocity(undisturbed_flow(scene_), points);
 }
 
 SolvedFlow SuspensionSolver::disturbance(const Solution& solution) const {
@@ -329,7 +343,18 @@ SolvedFlow SuspensionSolver::disturbance(const Solution& solution) const {
 std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Solution& solution,
                                                            const ComplexVector& points) const {
   const SolvedFlow flow = disturbance(solution);
-  std::vector<FlowDerivatives> derivatives = flow.derivatives(points);
+  const ComplexVector targets = in_cell(scene_, solution.instant, points);
+  std::vector<FlowDerivatives> derivatives = flow.derivatives(targets);
+  if (const std::optional<PeriodicCell>& cell = solution.instant.cell) {
+    // The pressure rises by F.w/V along a lattice vector w, with the force F of all components.
+    Complex force{};
+    for (const Load& load : solution.loads) force += load.force;
+    const Complex slope = force / (cell->area() * scene_.viscosity);
+    for (std::size_t i = 0; i < derivatives.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      derivatives[i].pressure += dot(slope, points[k] - targets[k]);
+    }
+  }
   if (is_bounded(flow.problem())) return derivatives;
   const double amplitude = solution.instant.forcing.flow;
   for (std::size_t i = 0; i < derivatives.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "scene/scene.hpp"
@@ -42,7 +43,8 @@ class SuspensionSolver {
   /// Returns the instant at which the scene starts.
   Instant start() const;
 
-  /// Returns the instant at which a run of the scene has a configuration.
+  /// Returns the instant at which a run of the scene has a configuration. In a periodic cell, the
+  /// instant replaces components on their paths by their images in the cell.
   Instant instant(Configuration configuration, const StepTime& time = {}) const;
 
   /// Returns the least gap that contact maintains, length; 0 in scenes without contact.
@@ -98,7 +100,8 @@ class SuspensionSolver {
   /// @throws SolverError when GMRES does not converge, or there are too many nodes
   Solution solve_refined(const Solution& solution) const;
 
-  /// Evaluates the fluid's velocity in a solution at m points in the fluid or on its boundary.
+  /// Evaluates the fluid's velocity in a solution at m points in the fluid or on its boundary; in a
+  /// periodic cell, also far from the cell.
   ///
   /// @par Cost      that of planned_sum()
   /// @par Not for   points inside bodies; points near the boundary if solver.near_singular is off
@@ -111,7 +114,8 @@ class SuspensionSolver {
   /// Evaluates pressure over viscosity, vorticity and strain, 1 / time, in a solution, including
   /// the background, at m points in the fluid or at nodes of its boundary.
   ///
-  /// The pressure is zero at infinity; in an enclosed fluid it is known up to a constant only.
+  /// The pressure is zero at infinity; in an enclosed fluid it is known up to a constant only. In a
+  /// periodic cell it is that of SolvedFlow.
   /// @par Cost      that of planned_sum()
   /// @par Not for   points inside bodies
   std::vector<FlowDerivatives> derivatives(const Solution& solution,
@@ -126,7 +130,10 @@ class SuspensionSolver {
   LinearSystem linear_system(const Instant& instant, const Discretisation& discretisation) const;
 
   /// Finds the gaps of a configuration that may require nodes, including overlaps, by find_gaps().
-  std::vector<Gap> gaps(const Configuration& configuration) const;
+  ///
+  /// @param  cell  that of the instant
+  std::vector<Gap> gaps(const Configuration& configuration,
+                        const std::optional<PeriodicCell>& cell = {}) const;
 
   /// Recommends nodes for every component by stokesbook::recommended_nodes().
   std::vector<int> recommended_nodes(const Configuration& configuration,
@@ -160,7 +167,7 @@ class SuspensionSolver {
     double gmres_tolerance;
     bool operator==(const Effort&) const = default;
   };
-  std::vector<Gap> find_open_gaps(const Configuration& configuration) const;
+  std::vector<Gap> find_open_gaps(const Instant& instant) const;
   std::shared_ptr<const LinearSystem> assemble(const StokesProblem& problem,
                                                const Configuration& configuration,
                                                const std::vector<Gap>& gaps,

@@ -30,6 +30,10 @@ std::string name_of(const Scene& scene, std::size_t component) {
   return component_of(scene, component).name();
 }
 
+std::string name_of(const Scene& scene, const Gap& gap) {
+  return gap.shift == 0.0 ? name_pair(scene, gap.a, gap.b) : name_image_pair(scene, gap.a, gap.b);
+}
+
 // Returns " (nearest: body 3, 0.01 apart)", or an empty text if no component is near.
 std::string nearest_neighbour(const Scene& scene, std::size_t component,
                               const std::vector<Gap>& gaps) {
@@ -37,7 +41,8 @@ std::string nearest_neighbour(const Scene& scene, std::size_t component,
       gaps, [&](const Gap& gap) { return gap.a == component || gap.b == component; });
   if (nearest == gaps.end()) return {};
   const std::size_t other = nearest->a == component ? nearest->b : nearest->a;
-  return " (nearest: " + name_of(scene, other) + ", " + short_number(nearest->points.gap) +
+  const std::string image = nearest->shift == 0.0 ? "" : "an image of ";
+  return " (nearest: " + image + name_of(scene, other) + ", " + short_number(nearest->points.gap) +
          " apart)";
 }
 
@@ -67,9 +72,10 @@ std::string plain_rule_message(const Scene& scene, const Gap& gap,
     const Curve curve = place(discretisation[component]->curve, position, orientation);
     return std::exp(near_cut(1.0) - preimage_depth(curve, target));
   };
-  const double worst = std::max(error(gap.a, gap.points.point_b), error(gap.b, gap.points.point_a));
+  const double worst =
+      std::max(error(gap.a, gap.points.point_b), error(gap.b, gap.points.point_a - gap.shift));
   if (worst <= scene.solver.tolerance) return {};
-  return name_pair(scene, gap.a, gap.b) + " are " + short_number(gap.points.gap) +
+  return name_of(scene, gap) + " are " + short_number(gap.points.gap) +
          " apart, too close for the plain trapezoid rule: estimated error " + short_number(worst) +
          ", " + tolerance_of(scene) + "; set solver.near_singular = \"auto\"";
 }
@@ -79,7 +85,7 @@ std::string gap_message(const Scene& scene, const Gap& gap, const GapResolution&
     return "n_nodes of " + name_of(scene, component) + " to at least " +
            std::to_string(nodes_for_decay(decay, scene.solver.tolerance));
   };
-  return name_pair(scene, gap.a, gap.b) + " are " + short_number(gap.points.gap) +
+  return name_of(scene, gap) + " are " + short_number(gap.points.gap) +
          " apart, too close for their nodes: estimated error " + short_number(resolution.error) +
          " of the velocities, " + tolerance_of(scene) + "; set " +
          advice(gap.a, resolution.decay.a) + ", and " + advice(gap.b, resolution.decay.b);
@@ -224,8 +230,7 @@ std::string overlap_error(const Scene& scene, const std::vector<Gap>& gaps,
   // Curves touch if their distance is at most the rounding error of their positions.
   const double size = std::abs(point) + std::abs(point - configuration[gap.a].position);
   if (!(gap.points.gap <= 1e-14 * size)) return {};
-  return name_pair(scene, gap.a, gap.b) +
-         " overlap, touch or lie on the wrong side of each other, by about " +
+  return name_of(scene, gap) + " overlap, touch or lie on the wrong side of each other, by about " +
          short_number(-gap.points.gap) + " near (" + short_number(point.real()) + ", " +
          short_number(point.imag()) +
          "): move them apart, or take smaller steps if this happened during a run";
@@ -276,6 +281,7 @@ std::string data_error(const Scene& scene, const StokesProblem& problem) {
            " out of the enclosed fluid, which is incompressible: change the velocities so that the "
            "net flux is zero";
   }
+  if (problem.cell) return {};
   if (uniform_part(scene.flow) != 0.0 && has_free_uniform_velocity(problem)) {
     return "flow.kind = \"uniform\" has no effect beside a held body or inner wall without "
            "flow.gauge_length: the velocity at infinity follows from zero net force and cancels "

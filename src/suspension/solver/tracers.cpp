@@ -26,7 +26,9 @@ VectorXd appended(const VectorXd& components, const ComplexVector& tracers) {
 }  // namespace
 
 VectorXd initial_state(const SuspensionSolver& solver) {
-  const Configuration start = solver.start().configuration;
+  const Instant instant = solver.start();
+  Configuration start = instant.configuration;
+  for (std::size_t k = 0; k < start.size(); ++k) start[k].position = instant.path_position(k);
   const std::vector<Complex>& tracers = solver.scene().tracers;
   if (tracers.empty()) return to_state(start);
   const Eigen::Map<const ComplexVector> given(tracers.data(), std::ssize(tracers));
@@ -48,7 +50,7 @@ ComplexVector tracers_of(const SuspensionSolver& solver, const VectorXd& state) 
 
 VectorXd to_rate(const Solution& solution) {
   Configuration rate;
-  for (const auto& [velocity, omega] : solution.motions) rate.push_back({velocity, omega});
+  for (const auto& [velocity, omega] : path_motions(solution)) rate.push_back({velocity, omega});
   return to_state(rate);
 }
 

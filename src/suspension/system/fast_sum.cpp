@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "periodic/far_operator.hpp"
+#include "suspension/bodies/cell.hpp"
 #include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
@@ -31,10 +32,6 @@ ComplexVector centres_of(const StokesProblem& problem, const std::vector<std::si
     centres[static_cast<Index>(i)] = problem.components[loaded[i]].centre;
   }
   return centres;
-}
-
-Lattice lattice_of(const PeriodicCell& cell) {
-  return {cell.a1, cell.a2};
 }
 
 // Returns the near images of a disk that contains the nodes of a flow and its targets.

@@ -24,11 +24,14 @@ Plan make_plan(const Scene& scene) {
   const SolverSettings& solver = scene.solver;
   Plan plan;
   plan.null_space_fix = counts.outer > 0;
-  plan.near_correction = solver.near_singular != NearSingular::off && counts.all() > 1;
+  plan.near_correction =
+      solver.near_singular != NearSingular::off && (counts.all() > 1 || scene.cell);
   // The own block of a circle has the eigenvalues -1 and -1/2 only: its inverse saves nothing.
   const bool only_circles = counts.circles == counts.all();
   const bool local = solver.coupling == Coupling::local;
   const bool chosen_here = !local && solver.preconditioner == PreconditionerKind::automatic;
+  // Blocks between components, which clusters and factorisations have, lack the images of a cell.
+  const bool has_blocks = chosen_here && !scene.cell;
   plan.preconditioner = local          ? PreconditionerKind::block_diagonal
                         : !chosen_here ? solver.preconditioner
                         : only_circles ? PreconditionerKind::none
@@ -37,9 +40,9 @@ Plan make_plan(const Scene& scene) {
   // components show in the estimates. Iterations that stop in time hardly touch these modes.
   constexpr double least_tolerance_of_direct = 1e-8;
   plan.direct_at_tight_gaps =
-      chosen_here && counts.all() > 1 && solver.tolerance >= least_tolerance_of_direct;
+      has_blocks && counts.all() > 1 && solver.tolerance >= least_tolerance_of_direct;
   // GMRES with clusters may break down if held components are close to each other (chapter 13).
-  plan.clusters_at_tight_gaps = chosen_here && counts.free > 1 && counts.held + counts.inner == 0;
+  plan.clusters_at_tight_gaps = has_blocks && counts.free > 1 && counts.held + counts.inner == 0;
   // A hundredth of the tolerance leaves room for the condition number. Rounding limits all
   // tolerances from below.
   plan.gmres_tolerance = solver.gmres_tol.value_or(std::max(1e-14, 0.01 * solver.tolerance));

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "closure/problem.hpp"
+#include "periodic/lattice.hpp"
+#include "scene/scene.hpp"
+#include "suspension/bodies/configuration.hpp"
+
+namespace stokesbook {
+
+/// Returns the lattice of a cell.
+Lattice lattice_of(const PeriodicCell& cell);
+
+/// Returns the centre of a scene's cell: that of the undisturbed flow, or else the origin, length.
+Complex cell_centre(const Scene& scene);
+
+/// Returns the periodic cell of a scene at a time; none in scenes without a cell.
+///
+/// The undisturbed flow with the gradient G carries the lattice along, whatever the bodies do:
+/// \f$ a(t) = e^{Gs}a(0) \f$ with s by flow_time(). The vectors are exact up to rounding, and grow
+/// without bound in a shear: the reduced basis of lattice_of() does not.
+std::optional<PeriodicCell> cell_at(const Scene& scene, double t);
+
+/// The difference between a component on its path and the image of the component in the cell.
+struct PathShift {
+  Complex vector;    ///< lattice vector w from the image to the component, length
+  Complex velocity;  ///< velocity G w of the component relative to the image, for the flow factor 1
+};
+
+/// Finds the image of each component that is nearest to the cell_centre().
+///
+/// @param  paths  places of the components on paths that do not jump where a body leaves the cell
+std::vector<PathShift> path_shifts(const Scene& scene, const PeriodicCell& cell,
+                                   const Configuration& paths);
+
+/// The lattices at the beginning and at the end of a step.
+struct LatticeStep {
+  Lattice start;  ///< at the beginning
+  Lattice end;    ///< at the end
+
+  /// Returns the vector that a vector of the first lattice becomes in the second one, length.
+  Complex at_end(Complex vector) const { return end.vector(start.index(vector)); }
+};
+
+}  // namespace stokesbook
