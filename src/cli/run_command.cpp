@@ -223,7 +223,7 @@ int run_scene(const RunOptions& options) {
   const auto receive_frame = [&](const Frame& frame) {
     directory.write_frame(frame);
     const Complex uniform = frame.rheology.uniform_velocity;
-    if (!std::isnan(uniform.real())) info.uniform_velocity = uniform;
+    if (!std::isnan(uniform.real()) && !scene.cell) info.uniform_velocity = uniform;
     if (options.once && !options.quiet) print_motions(frame);
   };
   const auto receive_step = [&](const StepInfo& step) {

@@ -1,5 +1,6 @@
 // Solves and runs scenes with a periodic cell, with automatic nodes, and compares them with
 // published values and with independent solutions.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +8,7 @@
 
 #include "scenes.hpp"
 #include "suspension/bodies/cell.hpp"
+#include "suspension/motion/describe.hpp"
 #include "suspension/motion/free_steps.hpp"
 #include "suspension/motion/simulation.hpp"
 #include "suspension/solver/matrices.hpp"
@@ -252,6 +254,18 @@ BOOST_AUTO_TEST_CASE(matrices_in_a_cell) {
   BOOST_TEST(errors.resistance_asymmetry < 1e-8);
   BOOST_TEST(errors.mobility_asymmetry < 1e-8);
   BOOST_TEST(errors.inverse_error < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(plan_of_a_cell) {
+  const std::vector<std::string> lines = describe(SuspensionSolver(two_disks()));
+  const auto holds = [&](const std::string& line) {
+    return std::ranges::any_of(lines, [&](const std::string& l) { return l.starts_with(line); });
+  };
+  BOOST_TEST(holds("problem          periodic mobility problem: 2 free bodies"));
+  BOOST_TEST(holds("far field        given mean velocity: a periodic cell"));
+  BOOST_TEST(holds("near correction  yes: Cauchy scheme"));
+  BOOST_TEST(holds("cell             area 4, reduced basis (2, 0), (0, 2); "));
+  BOOST_TEST(holds("summation        fast multipole method of order "));
 }
 
 BOOST_AUTO_TEST_CASE(bodies_that_meet_images) {
