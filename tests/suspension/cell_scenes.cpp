@@ -96,6 +96,19 @@ BOOST_AUTO_TEST_CASE(square_array_drag) {
   }
 }
 
+// The force of a single held body follows from the given gradient, whatever its nodes: the estimate
+// is that of the mean velocity.
+BOOST_AUTO_TEST_CASE(estimate_of_the_mean_velocity) {
+  Scene array =
+      cell_scene({held_body(Circle{std::sqrt(0.6 / pi)}, 32, 0.0)}, 1.0, imaginary, {}, 0.1);
+  array.cell->pressure_gradient = -1.0;
+  const Solution solution = Solved(array).solution;
+  const double error =
+      std::abs(solution.uniform_velocity - 1.0 / 1763.5731125198) / solution.velocity_scale;
+  BOOST_TEST(error > 1e-12);
+  BOOST_TEST(solution.error_estimate > 0.03 * error);
+}
+
 // One free disk per sheared cell: omega, and the stresslet; the sum of stresslets and the
 // dissipation of the load-free disk agree.
 BOOST_AUTO_TEST_CASE(sheared_array) {

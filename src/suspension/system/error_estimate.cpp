@@ -82,6 +82,10 @@ std::optional<double> relative_change(const StokesProblem& problem, const Comple
         {loads, std::abs(f.force - g.force) / unit, std::abs(f.torque - g.torque) / (unit * a)});
   }
   if (!any) return {};
+  // |u_c - u_c'|: the mean velocity may be the only result that is not given.
+  if (problem.cell) {
+    motions = std::max(motions, std::abs(p.uniform_velocity - q.uniform_velocity));
+  }
   return std::max(motions / scale, loads / load_scale);
 }
 

@@ -16,7 +16,7 @@ namespace stokesbook {
 /// mean square radius a, relative to the scale of velocities; and those of the loads on prescribed
 /// components. Forces are divided by \f$ 4\pi\mu \f$, and torques by \f$ 4\pi\mu a \f$. Their
 /// differences are relative to the scale of velocities, or to the largest load in these units if it
-/// is larger, as near contact.
+/// is larger, as near contact. In a periodic cell, the mean velocity counts like the motions.
 /// @return  largest difference, dimensionless; none if there is no component but an enclosing wall
 std::optional<double> relative_change(const StokesProblem& problem, const Completion& p,
                                       const Completion& q, double scale);
