@@ -46,6 +46,35 @@ Complex Lattice::nearest(Complex z) const {
   return nearest;
 }
 
+std::array<Complex, 6> Lattice::voronoi_corners() const {
+  // The sides lie halfway to these vectors and their negatives, here in the order of their
+  // directions. A corner is equally far from the origin and from two of the vectors.
+  const bool is_acute = dot(b1_, b2_) >= 0.0;
+  const std::array<Complex, 4> nearest{b1_, is_acute ? b2_ : b1_ + b2_, is_acute ? b2_ - b1_ : b2_,
+                                       -b1_};
+  std::array<Complex, 6> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Complex u = nearest[k], v = nearest[k + 1];
+    corners[k] = imaginary * (std::norm(v) * u - std::norm(u) * v) / (2.0 * cross(u, v));
+    corners[k + 3] = -corners[k];
+  }
+  return corners;
+}
+
+std::vector<Complex> Lattice::vectors_into_disk(Complex z, Complex centre, double radius) const {
+  const Complex first = nearest(centre - z), from_centre = z + first - centre;
+  std::vector<Complex> vectors;
+  const auto add = [&](Complex w) {
+    if (std::abs(from_centre + w) < radius) vectors.push_back(first + w);
+  };
+  add(0.0);
+  for (const Complex w : half_disk(radius + std::abs(from_centre))) {
+    add(w);
+    add(-w);
+  }
+  return vectors;
+}
+
 std::vector<Complex> Lattice::half_disk(double radius) const {
   const double length = std::abs(b1_), height = area_ / length;
   const double offset = dot(b1_, b2_) / length;  // of the next row, along b1

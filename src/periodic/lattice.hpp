@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -51,6 +52,15 @@ class Lattice {
 
   /// Moves a point by a lattice vector, so that no image of the point is nearer to the centre.
   Complex wrap(Complex z, Complex centre) const { return z - nearest(z - centre); }
+
+  /// Returns the six corners of the Voronoi cell of the origin, counter-clockwise, length.
+  ///
+  /// All corners have the same distance from the origin: no point of the cell is farther away. In a
+  /// rectangular lattice, two pairs of corners coincide.
+  std::array<Complex, 6> voronoi_corners() const;
+
+  /// Returns the vectors w for which a point z + w lies in a disk, length.
+  std::vector<Complex> vectors_into_disk(Complex z, Complex centre, double radius) const;
 
   /// Returns one of every pair w, -w of the vectors with \f$ 0 < |w| < r \f$, length.
   ///

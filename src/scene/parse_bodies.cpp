@@ -165,7 +165,12 @@ std::vector<Body> read_body_list(const Node& node, const TableReader& root,
 }
 
 /// Returns the box, or no value if the region is the whole fluid.
-std::optional<std::array<double, 4>> read_region(const TableReader& fill, bool enclosed) {
+std::optional<std::array<double, 4>> read_region(const TableReader& fill, const TableReader& root,
+                                                 bool enclosed) {
+  if (root.find("cell") != nullptr) {
+    fill.refuse({"region"}, "not allowed with [cell]: a fill takes the whole cell");
+    return std::nullopt;
+  }
   const std::string box = "{ box = [xmin, ymin, xmax, ymax] }";
   const std::string expected =
       enclosed ? "\"fluid\" or " + box : box + " (\"fluid\" requires an outer wall)";
@@ -212,7 +217,7 @@ std::vector<Fill> read_fill(const Node& node, const TableReader& root,
     fail(node, "must hold area_fraction or count, and not both");
   }
   if (fill.count) table.refuse({"sizes"}, "sizes require area_fraction; remove count");
-  fill.box = read_region(table, enclosed);
+  fill.box = read_region(table, root, enclosed);
   fill.clearance = table.get("clearance", nonnegative_number, fill.clearance);
   fill.body = with_properties(fill.body, table, root, directory, true);
   const Node* sizes = table.find("sizes");

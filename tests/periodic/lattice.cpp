@@ -81,6 +81,61 @@ BOOST_AUTO_TEST_CASE(vectors_in_a_disk) {
   }
 }
 
+// The vectors that lead a point into a disk are those of all that do so.
+BOOST_AUTO_TEST_CASE(vectors_into_a_disk) {
+  for (const test::NamedLattice& named : test::lattices()) {
+    BOOST_TEST_CONTEXT(named.name) {
+      const Lattice lattice = named.lattice();
+      const std::vector<Complex> all = brute_vectors(lattice, 14);
+      const double size = std::abs(lattice.shortest());
+      const ComplexVector points = size * random_vector(20, 5);
+      for (Eigen::Index i = 0; i < points.size(); i += 2) {
+        const Complex z = 2.0 * points[i], centre = points[i + 1];
+        for (const double radius : {0.4 * size, 1.3 * size, 4.1 * size}) {
+          std::vector<Complex> found = lattice.vectors_into_disk(z, centre, radius);
+          const auto inside = std::count_if(
+              all.begin(), all.end(), [&](Complex w) { return std::abs(z + w - centre) < radius; });
+          BOOST_TEST(std::ssize(found) == inside);
+          for (std::size_t k = 0; k < found.size(); ++k) {
+            BOOST_TEST(std::abs(z + found[k] - centre) < radius);
+            check_member(found[k], lattice.shortest(), lattice.second());
+            for (std::size_t j = 0; j < k; ++j) {
+              BOOST_TEST(std::abs(found[k] - found[j]) > 0.5 * size);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+// Each corner of the Voronoi cell is equally far from the origin and from two other vectors, and no
+// vector is nearer. The corners enclose the area of the lattice.
+BOOST_AUTO_TEST_CASE(corners_of_the_voronoi_cell) {
+  for (const test::NamedLattice& named : test::lattices()) {
+    BOOST_TEST_CONTEXT(named.name) {
+      const Lattice lattice = named.lattice();
+      const std::vector<Complex> all = brute_vectors(lattice, 4);
+      const auto corners = lattice.voronoi_corners();
+      double area = 0.0;
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Complex corner = corners[k], next = corners[(k + 1) % corners.size()];
+        const double radius = std::abs(corner), rounding = 1e-12 * radius;
+        BOOST_TEST(std::abs(radius - std::abs(corners[0])) < rounding);
+        BOOST_TEST(cross(corner, next) > -rounding * radius);
+        area += 0.5 * cross(corner, next);
+        int as_far = 0;
+        for (const Complex w : all) {
+          BOOST_TEST(std::abs(w - corner) > radius - rounding);
+          as_far += std::abs(w - corner) < radius + rounding ? 1 : 0;
+        }
+        BOOST_TEST(as_far >= 3);
+      }
+      BOOST_TEST(std::abs(area / lattice.area() - 1.0) < 1e-12);
+    }
+  }
+}
+
 // Many vectors of the square lattice have the same length. Both signs of each one are inside a disk
 // with exactly this radius, or both are outside.
 BOOST_AUTO_TEST_CASE(vectors_on_the_circle) {

@@ -5,21 +5,27 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 #include "stiv/polygon_gaps.hpp"
+#include "suspension/bodies/cell.hpp"
 #include "suspension/bodies/components.hpp"
 
 namespace stokesbook {
 
 namespace {
 
-// The growing bodies, the components of the scene, and the boxes of fills, in this order.
+// The growing bodies, the components of the scene, and the boxes of fills, in this order. In a
+// periodic cell, images of bodies and components follow when gaps are measured.
 struct Crowd {
   std::size_t bodies, components;  // numbers of both
   std::vector<const Fill*> fills;  // of bodies and boxes; null for components
   ContactShapes shapes;
   std::vector<Pose> poses;
   double size;
+  std::optional<std::pair<Lattice, Complex>> cell{};  // with its centre
 
   void add(ContactShape shape, const Pose& pose, const Fill* fill) {
     shapes.push_back(std::make_shared<const ContactShape>(std::move(shape)));
@@ -52,19 +58,47 @@ void resize(Crowd& crowd, double size) {
   }
 }
 
+// Adds to shapes and poses the images, in a periodic cell, that come within a reach of bodies.
+// Returns the component of each entry: its own number, or that of which it is an image.
+std::vector<std::size_t> add_images(Crowd& crowd, double reach) {
+  std::vector<std::size_t> owners(crowd.poses.size());
+  std::iota(owners.begin(), owners.end(), std::size_t{0});
+  if (!crowd.cell) return owners;
+  const auto& [lattice, centre] = *crowd.cell;
+  double radius = 0.0;
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    crowd.poses[k].position = lattice.wrap(crowd.poses[k].position, centre);
+    if (k < crowd.bodies) radius = std::max(radius, crowd.shapes[k]->radius);
+  }
+  const double farthest = std::abs(lattice.voronoi_corners()[0]) + radius + reach;
+  for (std::size_t k = 0, count = owners.size(); k < count; ++k) {
+    const Pose pose = crowd.poses[k];
+    const double within = farthest + crowd.shapes[k]->radius;
+    for (const Complex w : lattice.vectors_into_disk(pose.position, centre, within)) {
+      if (w == 0.0) continue;
+      crowd.shapes.push_back(crowd.shapes[k]);
+      crowd.poses.push_back({pose.position + w, pose.orientation});
+      owners.push_back(k);
+    }
+  }
+  return owners;
+}
+
 // Returns the gaps that may limit a move. A body is not limited by the boxes of other fills.
-std::vector<Row> near_rows(const Crowd& crowd) {
+std::vector<Row> near_rows(Crowd crowd) {
   double reach = 0.0;
   for (std::size_t k = 0; k < crowd.bodies; ++k) {
     reach = std::max(reach, crowd.size * crowd.fills[k]->clearance + 0.1 * crowd.shapes[k]->radius);
   }
+  const std::vector<std::size_t> owners = add_images(crowd, reach);
   std::vector<Row> rows;
   for (const PolygonGap& gap : polygon_gaps(crowd.shapes, crowd.poses, reach)) {
-    const auto [a, b] = std::pair{gap.a, gap.b};
+    const std::size_t a = gap.a, b = owners[gap.b];
     const bool is_box = b >= crowd.bodies + crowd.components;
-    if (a >= crowd.bodies || (is_box && crowd.fills[b] != crowd.fills[a])) continue;
+    // The gap of a and an image of b is also that of b and an image of a.
+    if (a >= crowd.bodies || b < a || (is_box && crowd.fills[b] != crowd.fills[a])) continue;
     const auto derivative = [&](std::size_t k, Complex normal) -> Eigen::Vector3d {
-      if (k >= crowd.bodies) return Eigen::Vector3d::Zero();
+      if (owners[k] >= crowd.bodies) return Eigen::Vector3d::Zero();
       const double turn = cross(gap.point - crowd.poses[k].position, normal);
       return {normal.real(), normal.imag(), turn / (0.5 * crowd.shapes[k]->radius)};
     };
@@ -72,7 +106,7 @@ std::vector<Row> near_rows(const Crowd& crowd) {
     const double clearance = is_box ? 0.0 : crowd.size * later.clearance;
     const double sags = crowd.shapes[a]->sag + crowd.shapes[b]->sag;
     rows.push_back({a, b, gap.gap, clearance + sags, clearance + 2.0 * sags,
-                    derivative(a, gap.normal), derivative(b, -gap.normal)});
+                    derivative(a, gap.normal), derivative(gap.b, -gap.normal)});
   }
   return rows;
 }
@@ -131,6 +165,7 @@ GrowingBodies grow_bodies(const Scene& scene, const std::vector<const Fill*>& fi
   auto& [size, bodies] = growing;
   Crowd crowd{fills.size(), count_components(scene).all(), fills, ContactShapes(fills.size()), {},
               size};
+  if (const auto cell = cell_at(scene, 0.0)) crowd.cell = {lattice_of(*cell), cell_centre(scene)};
   for (const Body& body : bodies) crowd.poses.push_back({body.position, body.orientation});
   add_surroundings(crowd, scene);
   for (double growth = 0.02; size < 1.0 && growth > 2e-3;) {

@@ -1,16 +1,19 @@
 // Places the bodies of [[fill]] by random sequential addition: draws poses at random, and takes a
-// pose if the body keeps its clearance from all components placed before (chapter 12). If there is
-// no room for all bodies, inserts them at half their size, and lets them grow.
+// pose if the body keeps its clearance from all components placed before, and in a periodic cell
+// from their images (chapter 12). If there is no room for all bodies, inserts them at half their
+// size, and lets them grow.
 #include "suspension/nodes/random_fill.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <stdexcept>
 
 #include "near_singular/near_field.hpp"
+#include "suspension/bodies/cell.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/nodes/fill_growth.hpp"
 #include "suspension/nodes/node_choice.hpp"
@@ -27,6 +30,13 @@ namespace {
 struct Obstacle {
   SmoothCurve curve;
   double radius, spacing;
+
+  Obstacle moved(Complex vector) const {
+    Obstacle image = *this;
+    image.curve.nodes.x.array() += vector;
+    image.curve.position += vector;
+    return image;
+  }
 };
 
 Obstacle make_obstacle(const DiscretisedShape& discretised, const Pose& pose) {
@@ -59,28 +69,62 @@ double node_distance(const Curve& a, const Curve& b) {
   return std::sqrt(least2);
 }
 
-// The components that have been placed so far.
+// The periodic cell in which bodies are placed.
+struct FilledCell {
+  Lattice lattice;
+  Complex centre;
+  double reach;  // of bodies beyond the cell: the largest radius and clearance of a fill
+};
+
+// The components that have been placed so far; in a periodic cell, also their images that bodies
+// with positions in the cell may meet.
 class Obstacles {
  public:
-  explicit Obstacles(const std::vector<Obstacle>& given) {
+  Obstacles(const std::vector<Obstacle>& given, const std::optional<FilledCell>& cell)
+      : cell_(cell) {
     for (const Obstacle& obstacle : given) add(obstacle);
   }
 
-  void add(Obstacle obstacle) {
+  void add(const Obstacle& obstacle) {
     if (obstacle.curve.nodes.side == Side::fluid_inside) {
-      enclosing_.push_back(std::move(obstacle));
-    } else {
-      circles_.insert(square_about(obstacle.curve.position, obstacle.radius));
-      others_.push_back(std::move(obstacle));
+      enclosing_.push_back(obstacle);
+      return;
+    }
+    std::vector<Complex> shifts{0.0};
+    if (cell_) {
+      const double farthest = std::abs(cell_->lattice.voronoi_corners()[0]);
+      shifts = cell_->lattice.vectors_into_disk(obstacle.curve.position, cell_->centre,
+                                                farthest + cell_->reach + obstacle.radius);
+    }
+    for (const Complex w : shifts) {
+      others_.push_back(obstacle.moved(w));
+      circles_.insert(square_about(others_.back().curve.position, obstacle.radius));
     }
   }
 
-  // Returns whether a body keeps its clearance from all obstacles.
+  // Returns a point, or in a cell the image in the cell of the point that has its coordinates in
+  // the basis of the lattice.
+  Complex point_at(Complex coordinates) const {
+    if (!cell_) return coordinates;
+    const auto& [lattice, centre, reach] = *cell_;
+    return lattice.wrap(
+        coordinates.real() * lattice.vector({1, 0}) + coordinates.imag() * lattice.vector({0, 1}),
+        centre);
+  }
+
+  // Returns whether a body keeps its clearance from all obstacles, and from its own images.
   bool leave_room_for(const Obstacle& body, double clearance) const {
+    std::vector<Obstacle> own_images;
+    if (cell_) {
+      for (const Complex w : cell_->lattice.half_disk(2.0 * body.radius + clearance)) {
+        own_images.push_back(body.moved(w));
+      }
+    }
     // The bounding circle of an enclosing wall gives no bound of its gap to a body inside, so that
     // all of these walls are tested.
     std::vector<const Obstacle*> near;
     for (const Obstacle& wall : enclosing_) near.push_back(&wall);
+    for (const Obstacle& image : own_images) near.push_back(&image);
     for (const std::size_t k :
          circles_.meeting(square_about(body.curve.position, body.radius + clearance))) {
       const double distance = std::abs(body.curve.position - others_[k].curve.position);
@@ -97,6 +141,7 @@ class Obstacles {
   }
 
  private:
+  std::optional<FilledCell> cell_;
   std::vector<Obstacle> enclosing_, others_;
   RectangleIndex circles_;  // squares about the bounding circles of others_
 };
@@ -113,7 +158,8 @@ bool contains(const Rectangle& box, const Curve& curve) {
          upper.real() <= box.upper.real() && upper.imag() <= box.upper.imag();
 }
 
-// A part of the plane in which bodies are placed.
+// A part of the plane in which bodies are placed; the box of a periodic cell is that of coordinates
+// in the basis of the lattice.
 struct Region {
   Rectangle box{};
   double area = 0.0;
@@ -157,8 +203,8 @@ std::vector<Body> insert_bodies(const Fill& fill, std::ptrdiff_t count,
   std::vector<Body> bodies;
   int attempts = 0;
   while (std::ssize(bodies) < count && ++attempts <= most_attempts) {
-    const Complex position{uniform(random, lower.real(), upper.real()),
-                           uniform(random, lower.imag(), upper.imag())};
+    const Complex position = obstacles.point_at(
+        {uniform(random, lower.real(), upper.real()), uniform(random, lower.imag(), upper.imag())});
     const double orientation = uniform(random, 0.0, 2.0 * std::numbers::pi);
     const Obstacle body = make_obstacle(discretised, {position, orientation});
     if (fill.box && !contains(box, body.curve.nodes)) continue;
@@ -184,7 +230,7 @@ FilledScene fill_scene(const SceneFile& file) {
     return cache.get(shape, {nodes}, kind);
   };
   std::vector<Obstacle> given;
-  Region fluid;  // inside the enclosing wall, without the areas of inner walls
+  Region fluid;  // inside the enclosing wall, without the areas of inner walls; or the whole cell
   for (std::size_t k = 0; k < count_components(file.scene).all(); ++k) {
     const ComponentView component = component_of(file.scene, k);
     const auto discretised =
@@ -195,11 +241,19 @@ FilledScene fill_scene(const SceneFile& file) {
     fluid.area += wall.sign() * area(wall);
     if (wall.side == Side::fluid_inside) fluid.box = bounding_rectangle(wall.x);
   }
+  std::optional<FilledCell> cell;
+  if (const auto start = cell_at(file.scene, 0.0)) {
+    cell = FilledCell{lattice_of(*start), cell_centre(file.scene), 0.0};
+    fluid = {{0.0, {1.0, 1.0}}, cell->lattice.area()};
+  }
   std::vector<const Fill*> fill_of;  // the fill of each body
   std::vector<double> fractions;     // the area fraction of each fill
   for (const Fill& fill : file.fills) {
     const auto discretised =
         discretise(fill.body.shape, fill.body.n_nodes, ComponentKind::free_body, "[[fill]]");
+    if (cell) {
+      cell->reach = std::max(cell->reach, outer_radius(discretised->curve, 0.0) + fill.clearance);
+    }
     const double region_area = region_of(fill, fluid).area, body_area = area(discretised->curve);
     const long count = count_of(fill, region_area, body_area);
     fill_of.insert(fill_of.end(), static_cast<std::size_t>(count), &fill);
@@ -207,7 +261,7 @@ FilledScene fill_scene(const SceneFile& file) {
   }
   // Inserts bodies at a part of their size, up to the first body for which no room is found.
   const auto insert = [&](double size) {
-    Obstacles obstacles(given);
+    Obstacles obstacles(given, cell);
     std::mt19937_64 random(file.scene.seed);
     std::vector<Body> bodies;
     for (const Fill& fill : file.fills) {

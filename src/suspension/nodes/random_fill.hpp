@@ -13,7 +13,8 @@ struct FilledScene {
   std::vector<std::string> plan;  ///< how bodies were placed; empty if all were inserted at random
 };
 
-/// Inserts the bodies of [[fill]] one after another at random, where they keep their clearance.
+/// Inserts the bodies of [[fill]] one after another at random, where they keep their clearance; in
+/// a periodic cell, also from images, their own included.
 ///
 /// If a body finds no place in 20000 attempts, then all bodies are inserted at half their size, and
 /// grow_bodies() lets them grow. Insertion jams above an area fraction of about 0.5, growth above

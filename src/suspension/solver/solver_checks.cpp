@@ -230,6 +230,14 @@ std::string overlap_error(const Scene& scene, const std::vector<Gap>& gaps,
   // Curves touch if their distance is at most the rounding error of their positions.
   const double size = std::abs(point) + std::abs(point - configuration[gap.a].position);
   if (!(gap.points.gap <= 1e-14 * size)) return {};
+  if (gap.a == gap.b) {
+    const Curve curve = sample(component_of(scene, gap.a).shape, 256, Side::fluid_outside);
+    return name_of(scene, gap) + " overlap or touch: the image is moved by the lattice vector (" +
+           short_number(gap.shift.real()) + ", " + short_number(gap.shift.imag()) +
+           "), and the bounding circle of the body has a diameter of " +
+           short_number(2.0 * bounding_radius(curve, 0.0)) +
+           ": enlarge the cell, or turn or reduce the body";
+  }
   return name_of(scene, gap) + " overlap, touch or lie on the wrong side of each other, by about " +
          short_number(-gap.points.gap) + " near (" + short_number(point.real()) + ", " +
          short_number(point.imag()) +
