@@ -11,6 +11,7 @@
 
 #include "analysis/run.hpp"
 #include "scene/parse.hpp"
+#include "suspension/bodies/cell.hpp"
 #include "suspension/bodies/configuration.hpp"
 #include "suspension/motion/output_schedule.hpp"
 #include "text/fingerprint.hpp"
@@ -112,6 +113,26 @@ std::size_t frame_at(const Run& run, std::optional<double> time) {
   return static_cast<std::size_t>(nearest - times.begin());
 }
 
+/// Returns the cell of a scene with the lattice of a run at a time. Refuses a cell that cannot be
+/// that of the run: the flow carries the lattice along, and keeps its area.
+std::optional<CellSettings> cell_from(const Run& run, const Scene& scene, double t) {
+  const std::optional<PeriodicCell> given = cell_at(scene, 0.0), reached = cell_at(run.scene, t);
+  const double area = given ? lattice_of(*given).area() : 0.0;
+  const double expected = reached ? lattice_of(*reached).area() : 0.0;
+  constexpr double rounding = 1e-9;
+  if (std::abs(area - expected) > rounding * expected) {
+    fail(run.path, "has a [cell] of the area " + number_text(expected) + ", and the scene one of " +
+                       number_text(area) +
+                       ", where 0 means none: give the cell.vectors of the run");
+  }
+  if (!reached) return {};
+  const Lattice lattice = lattice_of(*reached);
+  const Complex b1 = lattice.shortest(), b2 = lattice.second();
+  CellSettings cell = *scene.cell;
+  cell.vectors << b1.real(), b1.imag(), b2.real(), b2.imag();
+  return cell;
+}
+
 /// Returns whether a wall looks as at the start of its run.
 bool is_unmoved(const Wall& wall, const Pose& now) {
   return now.position == wall.position &&
@@ -163,10 +184,8 @@ Scene start_from(Scene scene, const fs::path& path, std::optional<double> time) 
   const std::size_t bodies = run.scene.bodies.size();
   require_same(path, "bodies", scene.bodies, run.scene.bodies);
   require_same(path, "walls", scene.walls, run.scene.walls);
-  if (scene.cell || run.scene.cell) {
-    fail(path, "a new run cannot begin with a lattice that has moved: use --resume");
-  }
   const std::size_t frame = frame_at(run, time);
+  scene.cell = cell_from(run, scene, run.times()[frame]);
   for (std::size_t k = 0; k < bodies; ++k) {
     Body& body = scene.bodies[k];
     // A trap without a centre holds a body at its start in the scene, not where the run has ended.

@@ -26,11 +26,13 @@ struct Continuation {
 Continuation find_continuation(const std::filesystem::path& out, const Scene& scene,
                                const std::string& text);
 
-/// Places the bodies and walls of a scene where another run has written them; all else is kept.
+/// Places the bodies and walls of a scene, and in a periodic cell the lattice, where another run has
+/// written them; all else is kept.
 ///
 /// @param  path  folder of a run with tables
 /// @param  time  a written time of the run; none: the last one
-/// @throws SceneError when the run has other bodies or walls, or has not written the state
+/// @throws SceneError when the run has other bodies or walls, or a cell of another area, or has not
+///         written the state
 /// @throws RecordError as read_run() does, and when the checkpoint of a run with walls cannot be
 ///         read
 Scene start_from(Scene scene, const std::filesystem::path& path, std::optional<double> time);

@@ -75,6 +75,11 @@ method = "heun"
 dt_write = 0.2
 """
 
+# Two bodies in a cell that is sheared by more than half a period; one of them crosses an edge.
+LATTICE = PAIR.replace("[[bodies]]", """[cell]
+vectors = [[4.0, 0.0], [0.5, 4.0]]
+[[bodies]]""", 1).replace("-1.5, 0.4", "1.7, 1.0").replace("1.5, -0.4", "-0.6, -0.9")
+
 
 def sets(**values):
     """Returns the options that set keys: time_dt=0.1 sets time.dt."""
@@ -306,6 +311,34 @@ class Starts(GoingOn):
         self.assertEqual(subprocess.run(again, cwd=self.folder, stdout=subprocess.DEVNULL).returncode, 0)
         self.assertEqual((self.folder / "e/trajectory.csv").read_bytes(),
                          (self.folder / "b/trajectory.csv").read_bytes())
+
+    def test_a_lattice_begins_where_it_was(self):
+        """The new run begins with the reduced lattice of the state, and the paths of its bodies."""
+        text = (LATTICE.replace("heun", "rk4").replace("1e-3", "1e-8").replace("0.07", "0.05")
+                .replace("32", "64").replace("0.2", "0.1"))
+        self.run_scene("a", text, *sets(time_t_final=0.6))
+        self.run_scene("b", text, *sets(time_t_final=0.2), "--from", "a", "--time", 0.4)
+        whole, rest = self.table("a"), self.table("b")
+        for column in ("x", "y", "theta"):
+            numpy.testing.assert_array_equal(rest[column][:2], whole[column][8:10])
+            numpy.testing.assert_allclose(rest[column][-2:], whole[column][-2:], atol=1e-7)
+        scene = (self.folder / "b/scene.toml").read_text()
+        vectors = [float(x) for x in re.findall(r"-?\d[.\de-]*", re.search("vectors = (.*)", scene)[1])]
+        # a2 = (0.5 + 4 * 0.4, 4) and a2 - a1
+        numpy.testing.assert_allclose(vectors, [4.0, 0.0, -1.9, 4.0], atol=1e-12)
+        # The lattice of a run that began with a moved lattice is carried on, too.
+        self.run_scene("c", text, *sets(time_t_final=0.1), "--from", "b", "--time", 0.1)
+        for column in ("x", "y", "theta"):
+            numpy.testing.assert_allclose(self.table("c")[column][-2:], whole[column][-2:], atol=1e-7)
+        for other, message in (
+                (PAIR, "--from a: has a [cell] of the area 16, and the scene one of 0, where 0 means none: "
+                 "give the cell.vectors of the run"),
+                (text.replace("[0.5, 4.0]", "[0.5, 5.0]"), "--from a: has a [cell] of the area 16, and the "
+                 "scene one of 20, where 0 means none: give the cell.vectors of the run")):
+            self.assertIn(message, self.run_scene("d", other, "--from", "a", code=1).stderr)
+
+    def test_extensions_in_a_cell(self):
+        Extensions.check_extensions(self, "cell", LATTICE, [0.3, 0.55])
 
     def test_walls_begin_where_they_were(self):
         self.run_scene("a", CELL)

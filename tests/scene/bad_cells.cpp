@@ -53,14 +53,7 @@ BOOST_AUTO_TEST_CASE(excluded_sections) {
            "n_nodes = 32\nregion = 'fluid'\n",
        "s.toml:7:1: fill[0].region = \"fluid\": not allowed with [cell]: a fill takes the whole "
        "cell"},
-      {cell() + disk() + "[repulsion]\nstrength = 1\nrange = 1\n",
-       "s.toml:6:2: repulsion: " + later},
       {cell() + disk() + "[contact]\nminimum_separation = 0.1\n", "s.toml:6:2: contact: " + later},
-      {cell() + disk() + "[[tracers]]\npoints = [[2, 2]]\n",
-       "s.toml:6:3: tracers = [{...}]: " + later},
-      {cell() + disk() + "[output]\nnodes = true\n", "s.toml:7:1: output.nodes = true: " + later},
-      {cell() + disk() + "[output]\nfields = { box = [0, 0, 1, 1] }\n",
-       "s.toml:7:1: output.fields: " + later},
   });
 }
 

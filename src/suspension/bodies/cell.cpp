@@ -58,14 +58,17 @@ std::optional<PeriodicCell> cell_at(const Scene& scene, double t) {
                       gradient.carried({a(1, 0), a(1, 1)}, s), scene.cell->pressure_gradient};
 }
 
+Complex image_velocity(const Scene& scene, Complex vector) {
+  return gradient_of(scene)(vector);
+}
+
 std::vector<PathShift> path_shifts(const Scene& scene, const PeriodicCell& cell,
                                    const Configuration& paths) {
   const Lattice lattice = lattice_of(cell);
-  const Gradient gradient = gradient_of(scene);
   std::vector<PathShift> shifts;
   for (const auto& [position, orientation] : paths) {
     const Complex w = lattice.nearest(position - cell_centre(scene));
-    shifts.push_back({w, gradient(w)});
+    shifts.push_back({w, image_velocity(scene, w)});
   }
   return shifts;
 }

@@ -23,6 +23,10 @@ Complex cell_centre(const Scene& scene);
 /// without bound in a shear: the reduced basis of lattice_of() does not.
 std::optional<PeriodicCell> cell_at(const Scene& scene, double t);
 
+/// Returns the velocity G w, length / time, of an image relative to the component from which the
+/// lattice vector w leads to the image, for the flow factor 1.
+Complex image_velocity(const Scene& scene, Complex vector);
+
 /// The difference between a component on its path and the image of the component in the cell.
 struct PathShift {
   Complex vector;    ///< lattice vector w from the image to the component, length

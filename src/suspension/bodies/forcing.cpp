@@ -106,12 +106,21 @@ void add(Load& load, Complex force, Complex offset) {
 }
 
 // Adds to both components of each pair the force strength exp(-gap / range) at the closest points,
-// along the line through them: forces and torques of the two are equal and opposite.
+// along the line through them: forces and torques of the two are equal and opposite. In a periodic
+// cell, the force on an image of b acts on b.
 void add_repulsion(std::vector<Load>& loads, const Scene& scene,
-                   const Discretisation& discretisation, const Configuration& configuration) {
+                   const Discretisation& discretisation, const StepTime& time,
+                   Configuration configuration) {
   const auto [strength, range] = *scene.repulsion;
+  const std::optional<PeriodicCell> cell = cell_at(scene, time.t);
+  if (cell) {
+    const Lattice lattice = lattice_of(*cell);
+    for (Pose& pose : configuration) {
+      pose.position = lattice.wrap(pose.position, cell_centre(scene));
+    }
+  }
   for (const auto& [a, b, closest, shift] :
-       gaps_within(configuration, discretisation, longest_repulsion * range)) {
+       gaps_within(configuration, discretisation, longest_repulsion * range, cell)) {
     const Complex apart = closest.point_b - closest.point_a;
     if (apart == 0.0) continue;  // curves that touch are refused
     const Complex force = strength * std::exp(-closest.gap / range) * apart / std::abs(apart);
@@ -120,7 +129,7 @@ void add_repulsion(std::vector<Load>& loads, const Scene& scene,
       add(loads[k], own, point - configuration[k].position);
     };
     act(a, -force, closest.point_a);
-    act(b, force, closest.point_b);
+    act(b, force, closest.point_b - shift);
   }
 }
 
@@ -187,7 +196,7 @@ Forcing forcing_at(const Scene& scene, const Discretisation& discretisation, con
     // The torque m x B, where the moment m turns with the body, and the field B on its own.
     if (moment != 0.0) load.torque += cross(std::polar(1.0, orientation) * moment, field);
   }
-  if (scene.repulsion) add_repulsion(forcing.loads, scene, discretisation, configuration);
+  if (scene.repulsion) add_repulsion(forcing.loads, scene, discretisation, time, configuration);
   return forcing;
 }
 

@@ -183,8 +183,9 @@ std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisat
 }
 
 std::vector<Gap> gaps_within(const Configuration& configuration,
-                             const Discretisation& discretisation, double distance) {
-  const BroadPhase broad(configuration, discretisation, {});
+                             const Discretisation& discretisation, double distance,
+                             const std::optional<PeriodicCell>& cell) {
+  const BroadPhase broad(configuration, discretisation, cell);
   return measure(broad.pairs_within(std::vector<double>(configuration.size(), distance)),
                  placed_curves(configuration, discretisation));
 }

@@ -23,12 +23,13 @@ using Eigen::Index;
 
 namespace {
 
-// The test of the side of one component on which a point lies.
+// The test of the side of one component, or of an image, on which a point lies.
 struct SideTest {
   std::size_t component;
   Complex position, turn;
   double sign, reach;       // points farther away than the reach are not covered
   Barycentric barycentric;  // in the component's frame
+  Complex shift;            // from the component to this image; else 0
 
   // Returns whether the component covers a point that is moved towards the fluid first.
   bool covers(Complex point, double part) const {
@@ -85,12 +86,15 @@ FieldGrid field_grid(const FieldSettings& settings) {
           static_cast<Index>(size.imag()) + 1};
 }
 
-std::vector<std::optional<std::size_t>> covering_components(const Configuration& configuration,
-                                                            const Discretisation& discretisation,
-                                                            const ComplexVector& points,
-                                                            double part) {
+std::vector<std::optional<Covering>> covering_components(const Configuration& configuration,
+                                                         const Discretisation& discretisation,
+                                                         const ComplexVector& points, double part,
+                                                         const std::optional<PeriodicCell>& cell) {
   std::vector<SideTest> enclosing, others;
   std::vector<Rectangle> rectangles;  // squares about the others
+  // In a periodic cell, points are replaced by their images in the Voronoi cell about some centre.
+  const Complex centre = cell ? configuration.at(0).position : Complex{};
+  const auto lattice = cell ? std::optional(lattice_of(*cell)) : std::nullopt;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const Curve& curve = discretisation[k]->curve;
     const auto [position, orientation] = configuration[k];
@@ -98,17 +102,25 @@ std::vector<std::optional<std::size_t>> covering_components(const Configuration&
     const bool encloses = curve.side == Side::fluid_inside;
     const double reach =
         encloses ? std::numeric_limits<double>::infinity() : outer_radius(curve, 0.0);
-    (encloses ? enclosing : others)
-        .push_back({k, position, turn, curve.sign(), reach, Barycentric(curve)});
-    if (!encloses) rectangles.push_back(square_about(position, reach));
+    std::vector<Complex> shifts{0.0};
+    if (lattice) {
+      const double farthest = std::abs(lattice->voronoi_corners()[0]);
+      shifts = lattice->vectors_into_disk(position, centre, farthest + reach);
+    }
+    for (const Complex shift : shifts) {
+      (encloses ? enclosing : others)
+          .push_back({k, position + shift, turn, curve.sign(), reach, Barycentric(curve), shift});
+      if (!encloses) rectangles.push_back(square_about(position + shift, reach));
+    }
   }
   const RectangleIndex index(rectangles);
-  std::vector<std::optional<std::size_t>> covering(static_cast<std::size_t>(points.size()));
+  std::vector<std::optional<Covering>> covering(static_cast<std::size_t>(points.size()));
 #pragma omp parallel for schedule(dynamic, 256)
   for (Index i = 0; i < points.size(); ++i) {
-    const Complex point = points[i];
+    const Complex point = lattice ? lattice->wrap(points[i], centre) : points[i];
     const auto test = [&](const SideTest& side) {
-      if (side.covers(point, part)) covering[static_cast<std::size_t>(i)] = side.component;
+      if (!side.covers(point, part)) return;
+      covering[static_cast<std::size_t>(i)] = {side.component, side.shift + (points[i] - point)};
     };
     for (const SideTest& side : enclosing) test(side);
     for (const std::size_t k : index.meeting({point, point})) test(others[k]);
@@ -118,9 +130,11 @@ std::vector<std::optional<std::size_t>> covering_components(const Configuration&
 
 std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
                                    const Discretisation& discretisation,
-                                   const ComplexVector& points) {
+                                   const ComplexVector& points,
+                                   const std::optional<PeriodicCell>& cell) {
   std::vector<std::uint8_t> result;
-  for (const auto& component : covering_components(configuration, discretisation, points)) {
+  for (const auto& component :
+       covering_components(configuration, discretisation, points, 0.0, cell)) {
     result.push_back(component ? 0 : 1);
   }
   return result;
@@ -138,7 +152,8 @@ Field evaluate_field(const SuspensionSolver& solver, const Solution& solution) {
   Field field;
   field.grid = field_grid(settings);
   const ComplexVector all = field.grid.points();
-  field.in_fluid = in_fluid(solution.instant.configuration, solver.discretisation(), all);
+  const Instant& instant = solution.instant;
+  field.in_fluid = in_fluid(instant.configuration, solver.discretisation(), all, instant.cell);
   std::vector<Index> fluid;
   for (Index i = 0; i < all.size(); ++i) {
     if (field.in_fluid[static_cast<std::size_t>(i)] == 1) fluid.push_back(i);

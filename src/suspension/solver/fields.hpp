@@ -20,30 +20,38 @@ namespace stokesbook {
 /// grid is centred in the box.
 FieldGrid field_grid(const FieldSettings& settings);
 
+/// A component that covers a point, or whose image covers it.
+struct Covering {
+  std::size_t component;
+  Complex shift;  ///< lattice vector from the component to the image, length; else 0
+};
+
 /// Finds the component that covers each point: a body or inner wall about the point, or an
 /// enclosing wall with the point outside; by Barycentric::side().
 ///
 /// @param  part   points are first moved towards the fluid, by this part of their distance from the
 ///                position of the component
+/// @param  cell   all components repeat with its lattice; none: nothing repeats
 /// @return        one per point: a component that covers the point; none in the fluid
 /// @par Accuracy  if shapes are resolved, points farther from the boundary than 1e-12 of a
 /// component's size are assigned correctly, also between nodes: @ref claim_06_25
 /// @par Cost      a search in a RectangleIndex per point, O(N) for a point inside a bounding circle
-std::vector<std::optional<std::size_t>> covering_components(const Configuration& configuration,
-                                                            const Discretisation& discretisation,
-                                                            const ComplexVector& points,
-                                                            double part = 0.0);
+std::vector<std::optional<Covering>> covering_components(
+    const Configuration& configuration, const Discretisation& discretisation,
+    const ComplexVector& points, double part = 0.0, const std::optional<PeriodicCell>& cell = {});
 
 /// Returns 1 for each point in the fluid, and 0 for each point that covering_components() assigns
 /// to a component.
 std::vector<std::uint8_t> in_fluid(const Configuration& configuration,
                                    const Discretisation& discretisation,
-                                   const ComplexVector& points);
+                                   const ComplexVector& points,
+                                   const std::optional<PeriodicCell>& cell = {});
 
 /// Evaluates the quantities that a scene requests, on the grid of the scene.
 ///
 /// In an unbounded fluid the pressure is zero far away. In an enclosed fluid the pressure is known
-/// up to a constant only, and its mean over the outer wall is set to zero.
+/// up to a constant only, and its mean over the outer wall is set to zero. In a periodic cell the
+/// pressure is that of SuspensionSolver::derivatives().
 /// @throws std::invalid_argument when the scene requests no fields
 /// @par Accuracy  at any distance from the boundary: velocity as @ref claim_06_1, all others as
 /// @ref claim_06_8

@@ -321,6 +321,7 @@ Solution SuspensionSolver::solve_refined(const Solution& solution) const {
 
 ComplexVector SuspensionSolver::velocity(const Solution& solution,
                                          const ComplexVector& points) const {
+  if (points.size() == 0) return {};
   const auto& [configuration, forcing, cell, shifts] = solution.instant;
   const StokesProblem problem = loaded_problem(scene_, solution, solution.discretisation);
   const auto near_curves = scene_.solver.near_singular == NearSingular::off
@@ -342,6 +343,7 @@ SolvedFlow SuspensionSolver::disturbance(const Solution& solution) const {
 
 std::vector<FlowDerivatives> SuspensionSolver::derivatives(const Solution& solution,
                                                            const ComplexVector& points) const {
+  if (points.size() == 0) return {};
   const SolvedFlow flow = disturbance(solution);
   const ComplexVector targets = in_cell(scene_, solution.instant, points);
   std::vector<FlowDerivatives> derivatives = flow.derivatives(targets);

@@ -32,7 +32,8 @@ VectorXd initial_state(const SuspensionSolver& solver) {
   const std::vector<Complex>& tracers = solver.scene().tracers;
   if (tracers.empty()) return to_state(start);
   const Eigen::Map<const ComplexVector> given(tracers.data(), std::ssize(tracers));
-  const auto covering = covering_components(start, solver.discretisation(), given);
+  const auto covering =
+      covering_components(start, solver.discretisation(), given, 0.0, instant.cell);
   std::vector<Index> kept;
   for (Index i = 0; i < given.size(); ++i) {
     if (!covering[static_cast<std::size_t>(i)]) kept.push_back(i);
@@ -57,16 +58,19 @@ VectorXd to_rate(const Solution& solution) {
 VectorXd with_tracers(const SuspensionSolver& solver, const VectorXd& velocities,
                       const Solution& solution, const VectorXd& state) {
   if (state.size() == velocities.size()) return velocities;
-  const Configuration& configuration = solution.instant.configuration;
+  const auto& [configuration, forcing, cell, shifts] = solution.instant;
   const ComplexVector tracers = tracers_of(solver, state);
-  const auto covering = covering_components(configuration, solver.discretisation(), tracers);
+  const auto covering =
+      covering_components(configuration, solver.discretisation(), tracers, 0.0, cell);
   ComplexVector velocity(tracers.size());
   std::vector<Index> fluid;
   for (Index i = 0; i < tracers.size(); ++i) {
-    if (const auto k = covering[static_cast<std::size_t>(i)]) {
+    if (const auto& body = covering[static_cast<std::size_t>(i)]) {
       // Errors have taken the tracer a little way in: the velocity is continuous there.
-      const auto& [u, omega] = solution.motions[*k];
-      velocity[i] = u + imaginary * omega * (tracers[i] - configuration[*k].position);
+      const auto& [k, shift] = *body;
+      const auto& [u, omega] = solution.motions[k];
+      velocity[i] = u + imaginary * omega * (tracers[i] - shift - configuration[k].position);
+      if (cell) velocity[i] += forcing.flow * image_velocity(solver.scene(), shift);
     } else {
       fluid.push_back(i);
     }
@@ -86,13 +90,14 @@ Configuration admitted_configuration(const SuspensionSolver& solver, double t,
   Configuration configuration = configuration_of(solver, state);
   const ComplexVector tracers = tracers_of(solver, state);
   if (tracers.size() == 0) return configuration;
-  const auto covering =
-      covering_components(configuration, solver.discretisation(), tracers, accepted_part);
+  const auto covering = covering_components(configuration, solver.discretisation(), tracers,
+                                            accepted_part, cell_at(solver.scene(), t));
   for (std::size_t i = 0; i < covering.size(); ++i) {
-    const auto k = covering[i];
-    if (!k || component_of(solver.scene(), *k).body == nullptr) continue;
+    if (!covering[i]) continue;
+    const ComponentView component = component_of(solver.scene(), covering[i]->component);
+    if (component.body == nullptr) continue;
     throw ConfigurationError(at_time(t) + "tracer " + std::to_string(i) + " enters " +
-                             component_of(solver.scene(), *k).name() + ": take smaller steps");
+                             component.name() + ": take smaller steps");
   }
   return configuration;
 }
