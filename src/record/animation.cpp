@@ -83,9 +83,18 @@ std::string animation_frame(const Frame& frame) {
   const auto contact_text = [](const ContactForce& contact) {
     return array(contact.a, contact.b, contact.point, contact.force, contact.gap);
   };
+  std::string cell;
+  if (frame.cell) {
+    const auto& [lattice, centre, bodies] = *frame.cell;
+    for (const Complex z : {centre, lattice.vector({1, 0}), lattice.vector({0, 1})}) {
+      cell += (cell.empty() ? ",[" : ",") + short_number(z.real(), 12) + ',' +
+              short_number(z.imag(), 12);
+    }
+    cell += ']';
+  }
   return data_block("frame", '[' + short_number(frame.t, 12) + ',' + list(frame.bodies, body_text) +
                                  ',' + list(frame.walls, wall_text) + ',' +
-                                 list(frame.contacts, contact_text) + ']');
+                                 list(frame.contacts, contact_text) + cell + ']');
 }
 
 }  // namespace stokesbook

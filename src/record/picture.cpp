@@ -12,6 +12,7 @@
 #include "record/svg.hpp"
 #include "text/fingerprint.hpp"
 #include "text/number_text.hpp"
+#include "trapezoid/rectangle_index.hpp"
 
 namespace stokesbook {
 
@@ -81,6 +82,47 @@ std::string draw_tracers(const auto& layout, const std::vector<Complex>& tracers
   }
   return svg::path(
       dots, R"(stroke="#e0218a" stroke-linecap="round")" + svg::attribute("stroke-width", size));
+}
+
+/// Bodies and walls with their outlines.
+struct Drawing {
+  Frame frame;
+  Outlines outlines;
+};
+
+/// Adds the images of bodies that meet a rectangle in the plane, if there is a periodic cell. They
+/// are drawn like inner walls, which do not exist there.
+Drawing with_images(Drawing drawing, const Rectangle& rectangle) {
+  auto& [frame, outlines] = drawing;
+  const Complex half = 0.5 * (rectangle.upper - rectangle.lower), centre = rectangle.lower + half;
+  for (std::size_t k = 0; frame.cell && k < frame.bodies.size(); ++k) {
+    const auto& [lattice, cell_centre, in_cell] = *frame.cell;
+    const double radius = outlines.bodies[k].points.cwiseAbs().maxCoeff();
+    const Complex position = frame.bodies[k].position;
+    for (const Complex w : lattice.vectors_into_disk(position, centre, std::abs(half) + radius)) {
+      const Complex beyond = position + w - centre;
+      if (std::abs(w) < 0.5 * std::abs(lattice.shortest()) ||  // the body itself
+          std::abs(beyond.real()) > half.real() + radius ||
+          std::abs(beyond.imag()) > half.imag() + radius) {
+        continue;
+      }
+      frame.walls.push_back({position + w, frame.bodies[k].orientation, {}});
+      outlines.walls.push_back(outlines.bodies[k]);
+    }
+  }
+  return drawing;
+}
+
+/// Adds the edge of the periodic cell, drawn like an outer wall, and the images of bodies there.
+Drawing with_cell(Drawing drawing) {
+  const auto corners = drawing.frame.cell->lattice.voronoi_corners();
+  const Complex centre = drawing.frame.cell->centre;
+  const ComplexVector edge = Eigen::Map<const ComplexVector>(corners.data(), corners.size());
+  const auto [lower, upper] = bounding_rectangle(edge);
+  drawing = with_images(std::move(drawing), {centre + lower, centre + upper});
+  drawing.frame.walls.push_back({centre, 0.0, {}});
+  drawing.outlines.walls.push_back({edge, true});
+  return drawing;
 }
 
 // The picture of a configuration
@@ -217,7 +259,7 @@ std::string draw_contacts(const Layout& layout, const Frame& frame) {
     std::string data;
     for (const ContactParty& party : {contact.a, contact.b}) {
       if (party.is_wall) continue;
-      data += svg::line(layout.to_drawing(frame.bodies[party.number].position), point);
+      data += svg::line(layout.to_drawing(place_in_contact(frame, party, contact.point)), point);
     }
     const double width = std::max(0.5, widest * contact.force / largest);
     lines += svg::path(data, svg::attribute("stroke-width", width));
@@ -397,12 +439,14 @@ std::string label_of(std::string_view quantity) {
 
 }  // namespace
 
-std::string draw_configuration(const Frame& frame, const Outlines& outlines,
-                               const std::string& title, const std::vector<BodyPath>& paths) {
-  require_outlines(frame, outlines);
-  if (frame.bodies.empty() && frame.walls.empty()) {
+std::string draw_configuration(const Frame& given, const Outlines& shapes, const std::string& title,
+                               const std::vector<BodyPath>& paths) {
+  require_outlines(given, shapes);
+  if (given.bodies.empty() && given.walls.empty()) {
     throw std::invalid_argument("draw_configuration: neither bodies nor walls to draw");
   }
+  const Drawing drawing = given.cell ? with_cell({given, shapes}) : Drawing{given, shapes};
+  const auto& [frame, outlines] = drawing;
   const Layout layout = lay_out(frame, outlines, paths);
   std::string bar;
   if (layout.top_speed > 0.0) {
@@ -414,12 +458,17 @@ std::string draw_configuration(const Frame& frame, const Outlines& outlines,
          draw_arrows(layout, frame) + draw_paths(layout, paths) + bar + "</svg>\n";
 }
 
-std::map<std::string, std::string> draw_fields(const Frame& frame, const Outlines& outlines,
+std::map<std::string, std::string> draw_fields(const Frame& given, const Outlines& shapes,
                                                const std::string& title) {
-  require_outlines(frame, outlines);
-  if (!frame.field) throw std::invalid_argument("draw_fields: the frame has no field");
-  const Field& field = *frame.field;
+  require_outlines(given, shapes);
+  if (!given.field) throw std::invalid_argument("draw_fields: the frame has no field");
+  const Field& field = *given.field;
   const GridLayout layout{field.grid};
+  const Complex corner = field.grid.corner;
+  const Drawing drawing =
+      with_images({given, shapes}, {corner, corner + field.grid.spacing * layout.size});
+  const Frame& frame = drawing.frame;
+  const Outlines& outlines = drawing.outlines;
   std::vector<Streamline> lines;
   if (field.velocity.size() > 0) {
     constexpr double pixels_apart = 16.0;

@@ -1,4 +1,4 @@
-// Checks that outlines and frames match.
+// Checks that outlines and frames match, and replaces bodies by their images in a periodic cell.
 #include "record/run_data.hpp"
 
 #include <stdexcept>
@@ -14,6 +14,21 @@ std::string numbers_of(const auto& components) {
 }
 
 }  // namespace
+
+Frame in_cell(Frame frame) {
+  const auto& [lattice, centre, bodies] = frame.cell.value();
+  frame.bodies = bodies;
+  for (Complex& tracer : frame.tracers) tracer = lattice.wrap(tracer, centre);
+  for (ContactForce& contact : frame.contacts) {
+    contact.point = lattice.wrap(contact.point, bodies[contact.a.number].position);
+  }
+  return frame;
+}
+
+Complex place_in_contact(const Frame& frame, const ContactParty& body, Complex contact) {
+  const Complex position = frame.bodies[body.number].position;
+  return frame.cell ? frame.cell->lattice.wrap(position, contact) : position;
+}
 
 void require_outlines(const Frame& frame, const Outlines& outlines) {
   if (frame.bodies.size() != outlines.bodies.size() ||

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "periodic/lattice.hpp"
 #include "record/field.hpp"
 #include "trapezoid/plane.hpp"
 
@@ -71,6 +72,13 @@ struct NodeValues {
   Complex density;         ///< density of the double layer, length / time
 };
 
+/// The periodic cell at one time.
+struct FrameCell {
+  Lattice lattice;                ///< in the basis of the scene, which the flow carries along
+  Complex centre;                 ///< centre of the cell, length
+  std::vector<BodyState> bodies;  ///< images, in the cell, of the bodies, which lie on their paths
+};
+
 /// The configuration at a written time, with its velocities, loads and other results.
 struct Frame {
   double t = 0.0;                        ///< time
@@ -81,7 +89,15 @@ struct Frame {
   std::optional<Field> field{};          ///< none unless the scene requests fields
   std::vector<Complex> tracers{};        ///< positions of the tracers, length
   std::vector<NodeValues> nodes{};       ///< none unless the scene requests them
+  std::optional<FrameCell> cell{};       ///< none: nothing repeats
 };
+
+/// Replaces bodies, tracers and contacts by their images in the periodic cell, for pictures.
+/// @throws std::bad_optional_access when the frame has no cell
+Frame in_cell(Frame frame);
+
+/// Returns the position of a body in contact, or of the image that is nearest to the contact.
+Complex place_in_contact(const Frame& frame, const ContactParty& body, Complex contact);
 
 /// A closed curve in its own frame, for pictures.
 struct Outline {

@@ -188,6 +188,9 @@ void RunDirectory::write_frame(const Frame& frame) {
   if (!contents_.contacts && !frame.contacts.empty()) {
     throw std::invalid_argument("a frame has contacts only if the run writes them");
   }
+  // In a periodic cell, tables list paths, and pictures show the images in the cell.
+  const std::optional<Frame> images = frame.cell ? std::optional(in_cell(frame)) : std::nullopt;
+  const Frame& shown = images ? *images : frame;
   append(trajectory_name, trajectory_rows(frame));
   append(walls_name, wall_rows(frame));
   append(rheology_name, rheology_row(frame));
@@ -196,22 +199,22 @@ void RunDirectory::write_frame(const Frame& frame) {
   append(nodes_name, node_rows(frame));
   if (contents_.html) append(animation_name, animation_frame(frame));
   if (contents_.vtk) {
-    replace(body_files.name(frame_count()), configuration_vtp(frame, contents_.outlines));
+    replace(body_files.name(frame_count()), configuration_vtp(shown, contents_.outlines));
   }
   if (contents_.vtk && contents_.contacts) {
-    replace(contact_files.name(frame_count()), contacts_vtp(frame));
+    replace(contact_files.name(frame_count()), contacts_vtp(shown));
   }
   if (contents_.vtk && contents_.tracers) {
-    replace(tracer_files.name(frame_count()), tracers_vtp(frame));
+    replace(tracer_files.name(frame_count()), tracers_vtp(shown));
   }
   if (contents_.fields) replace(field_files.name(frame_count()), field_vti(*frame.field));
   frame_times_.push_back(frame.t);
   write_collections();
   if (contents_.svg) {
-    replace(picture_name, draw_configuration(frame, contents_.outlines, contents_.title));
+    replace(picture_name, draw_configuration(shown, contents_.outlines, contents_.title));
   }
   if (contents_.svg && contents_.fields) {
-    for (const auto& [name, text] : draw_fields(frame, contents_.outlines, contents_.title)) {
+    for (const auto& [name, text] : draw_fields(shown, contents_.outlines, contents_.title)) {
       replace(name, text);
     }
   }

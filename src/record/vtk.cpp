@@ -186,7 +186,7 @@ std::string contacts_vtp(const Frame& frame) {
   for (const ContactForce& contact : contacts) {
     // A line to the centre of a wall would cross other bodies; it ends at the contact instead.
     const auto end = [&](const ContactParty& party) {
-      return party.is_wall ? contact.point : frame.bodies[party.number].position;
+      return party.is_wall ? contact.point : place_in_contact(frame, party, contact.point);
     };
     cells.push_back(
         {ComplexVector{{end(contact.a), contact.point, end(contact.b)}}, Cell::in_line});

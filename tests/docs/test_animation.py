@@ -46,6 +46,30 @@ minimum_separation = 0.05
 [output]
 formats = ["csv", "html"]
 """
+# A sheared cell, whose reduced basis changes at t = 0.5.
+CELL = """
+[flow]
+kind = "shear"
+rate = 1.0
+centre = [0.5, -0.25]
+[cell]
+vectors = [[3.0, 0.0], [0.0, 3.0]]
+[[bodies]]
+shape = { kind = "circle", radius = 0.5 }
+position = [1.2, 0.9]
+n_nodes = "auto"
+[[bodies]]
+shape = { kind = "ellipse", semi_axes = [0.6, 0.4] }
+position = [-8.6, -0.8]
+n_nodes = "auto"
+[solver]
+tolerance = 1e-3
+[time]
+t_final = 0.9
+[output]
+dt_write = 0.15
+formats = ["csv", "html"]
+"""
 RADIUS, OMEGA = 2.0, 0.3  # radius and angular velocity of the wall
 TIP = 0.45 * 1.2  # distance of the star's tip from its centre
 SIZE = (900, 700)
@@ -132,6 +156,34 @@ class Animation(unittest.TestCase):
         for k, bodies in enumerate(trajectory):
             shown = self.run_js(f"player.seek({k}), player.state.bodies")
             np.testing.assert_allclose(shown, [state(body) for body in bodies], rtol=1e-5)
+
+    def test_bodies_of_a_cell_are_images_next_to_its_centre(self):
+        place = page.parent.parent / "cell"
+        (place.parent / "cell.toml").write_text(CELL)
+        subprocess.run([PROGRAM, "run", place.parent / "cell.toml", "--out", place, "--quiet"],
+                       check=True)
+        paths = np.genfromtxt(place / "trajectory.csv", names=True, delimiter=",").reshape(-1, 2)
+        self.open(place / "animation.html")
+        self.assertEqual(tab.evaluate("player.frames.length"), len(paths))
+        centre, numbers = np.array([0.5, -0.25]), np.arange(-9, 10)
+        outside = 0
+        for at in np.arange(0, len(paths) - 0.5, 0.5):
+            k, part = int(at), at % 1
+            first, second = paths[k], paths[min(k + 1, len(paths) - 1)]
+            t, *path = ((1 - part) * first[name] + part * second[name] for name in ("t", "x", "y"))
+            shown = self.run_js(f"player.place = {at}, player.show(), player.state.bodies")
+            vectors = np.array([(3 * i + 3 * t[0] * j, 3 * j) for i in numbers for j in numbers])
+            for body, x, y in zip(shown, *path):
+                images = np.array([x, y]) + vectors - centre
+                expected = centre + images[np.argmin(np.hypot(*images.T))]
+                np.testing.assert_allclose(body[:2], expected, atol=1e-4)
+                outside += np.hypot(*(expected - (x, y))) > 1
+            corners = self.run_js("player.state.lattice.corners()") - centre
+            self.assertEqual(len(corners), 6)
+            for corner in corners:  # as far from the centre as from two other vectors, and from none nearer
+                distances = np.sort(np.hypot(*(vectors - corner).T)) - np.hypot(*corner)
+                np.testing.assert_allclose(distances[:3], 0, atol=1e-9)
+        self.assertGreater(outside, len(paths))
 
     def test_walls_turn(self):
         self.open()

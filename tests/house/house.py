@@ -31,7 +31,7 @@ MAY_USE = {
     "periodic": {"trapezoid", "fmm"},
     "suspension": METHODS | {"text", "scene", "record"},
     "scene": {"text", "trapezoid", "time_stepping"},
-    "record": {"text", "trapezoid"},
+    "record": {"text", "trapezoid", "periodic"},
     "sweep": {"text", "scene", "record"},
     "study": {"text", "record"},
     "analysis": {"text", "trapezoid", "scene", "record", "study"},

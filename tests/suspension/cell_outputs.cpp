@@ -174,6 +174,26 @@ BOOST_AUTO_TEST_CASE(tracers_in_images_move_with_them) {
                         tells);
 }
 
+// Frames have paths and the images in the cell, whose velocities differ by G w.
+BOOST_AUTO_TEST_CASE(frames_have_paths_and_images) {
+  Scene made = two_bodies({{0.7, -0.4}, 0.3});
+  made.solver.tolerance = 1e-4;
+  made.time = TimeSettings{.t_final = 0.2, .dt = 0.1, .method = SteppingMethod::heun};
+  for (const Frame& frame : frames_of(made)) {
+    const PeriodicCell cell = *cell_at(made, frame.t);
+    const auto& [lattice, centre, images] = frame.cell.value();
+    BOOST_TEST((centre == Complex{0.3, 0.1}));
+    BOOST_TEST((lattice.vector({1, 0}) == cell.a1 && lattice.vector({0, 1}) == cell.a2));
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Complex w = frame.bodies[k].position - images[k].position;
+      BOOST_TEST(std::abs(lattice.vector(lattice.index(w)) - w) < 1e-13);
+      BOOST_TEST(std::abs(lattice.nearest(images[k].position - centre)) < 1e-13);
+      BOOST_TEST(std::abs(frame.bodies[k].velocity - images[k].velocity - carried(w)) < 1e-12);
+      BOOST_TEST(images[k].orientation == frame.bodies[k].orientation);
+    }
+  }
+}
+
 // The forces and torques of the repulsion are minus the derivatives of its energy, the sum of
 // strength range exp(-gap / range) over all pairs with images.
 BOOST_AUTO_TEST_CASE(repulsion_has_an_energy) {

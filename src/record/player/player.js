@@ -23,7 +23,7 @@ class Player {
   }
 
   get frame() { return Math.round(this.place); }
-  get state() { return stateAt(this.frames, this.place); }
+  get state() { return inCell(stateAt(this.frames, this.place)); }
   get picked() { return this.hovered || this.pinned; }
 
   fillPage() {
@@ -66,7 +66,7 @@ class Player {
     if (this.pinned?.contact !== undefined && this.pinned.frame !== this.frame) this.pinned = null;
     const picked = this.picked;
     const trail = picked && picked.part >= 0 &&
-      this.frames.map(frame => frame.bodies[picked.part]);
+      this.frames.map(frame => inCell(frame).bodies[picked.part]);
     this.view.draw(state, {colour: element("colour").value, contacts: this.showsContacts(), picked,
                            trail});
     element("canvas").classList.toggle("on-something", Boolean(this.hovered));

@@ -5,6 +5,51 @@ const X = 0, Y = 1, THETA = 2;
 const UX = 3, UY = 4, OMEGA = 5;  // of bodies only; force and torque are the last three numbers
 const A = 0, B = 1, CONTACT_X = 2, CONTACT_Y = 3, FORCE = 4, GAP = 5;
 
+const sum = ([x, y], s, [u, v]) => [x + s * u, y + s * v];
+const dot = ([x, y], [u, v]) => x * u + y * v;
+const cross = ([x, y], [u, v]) => x * v - y * u;
+
+// The lattice of a periodic cell: its centre and the reduced basis, see Lattice in lattice.hpp.
+class Lattice {
+  constructor([x, y, ...basis]) {
+    this.centre = [x, y];
+    let u = basis.slice(0, 2), v = basis.slice(2);
+    while (dot(v = sum(v, -Math.round(dot(u, v) / dot(u, u)), u), v) < dot(u, u)) [u, v] = [v, u];
+    [this.u, this.v] = [u, cross(u, v) < 0 ? v.map(x => -x) : v];
+  }
+
+  // Returns the image of a point that is nearest to another point.
+  near(point, to) {
+    const {u, v} = this, z = sum(point, -1, to), area = cross(u, v);
+    const s = Math.floor(cross(z, v) / area), t = Math.floor(cross(u, z) / area);
+    const images = [[s, t], [s + 1, t], [s, t + 1], [s + 1, t + 1]].map(
+      ([i, j]) => sum(sum(z, -i, u), -j, v));
+    return sum(to, 1, images.reduce((a, b) => dot(b, b) < dot(a, a) ? b : a));
+  }
+
+  // Returns the corners of the Voronoi cell about the centre.
+  corners() {
+    const {u, v} = this, acute = dot(u, v) >= 0;
+    const sides = [u, acute ? v : sum(u, 1, v), acute ? sum(v, -1, u) : v, u.map(x => -x)];
+    const corners = [0, 1, 2].map(k => {
+      const [a, b] = [sides[k], sides[k + 1]], [p, q] = [dot(a, a), dot(b, b)];
+      return [p * b[1] - q * a[1], q * a[0] - p * b[0]].map(x => 0.5 * x / cross(a, b));
+    });
+    return [1, -1].flatMap(sign => corners.map(corner => sum(this.centre, sign, corner)));
+  }
+}
+
+// Replaces bodies and contacts of a state by their images in its periodic cell, if it has one.
+function inCell(state) {
+  if (!state.cell) return state;
+  const lattice = new Lattice(state.cell);
+  const bodies = state.bodies.map(
+    body => [...lattice.near(body, lattice.centre), ...body.slice(THETA)]);
+  const contacts = state.contacts.map(
+    ([a, b, x, y, ...values]) => [a, b, ...lattice.near([x, y], bodies[a]), ...values]);
+  return {...state, bodies, contacts, lattice};
+}
+
 function parsed(block) {
   try {
     return JSON.parse(block.textContent);
@@ -16,7 +61,7 @@ function parsed(block) {
 function readRun() {
   const run = parsed(document.querySelector(".run"));
   run.frames = [...document.querySelectorAll(".frame")].map(parsed).filter(frame => frame)
-    .map(([t, bodies, walls, contacts]) => ({t, bodies, walls, contacts}));
+    .map(([t, bodies, walls, contacts, cell]) => ({t, bodies, walls, contacts, cell}));
   return run;
 }
 
@@ -44,6 +89,7 @@ function stateAt(frames, place) {
     t: from.t + part * (to.t - from.t),
     bodies: from.bodies.map((body, i) => between(body, to.bodies[i], part)),
     walls: from.walls.map((wall, i) => between(wall, to.walls[i], part)),
+    cell: from.cell && between(from.cell, to.cell, part),
   };
   state.contacts = near.contacts.map(([a, b, x, y, force, gap]) => {
     const carrier = a >= 0 ? a : b;

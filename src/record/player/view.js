@@ -97,7 +97,8 @@ class View {
       box.bottom = Math.min(box.bottom, state[Y] - radius);
       box.top = Math.max(box.top, state[Y] + radius);
     };
-    for (const frame of frames) {
+    for (const frame of frames.map(inCell)) {
+      frame.lattice?.corners().forEach(corner => include(corner, {radius: 0}));
       frame.bodies.forEach((state, k) => include(state, this.bodies[k]));
       frame.walls.forEach((state, k) => include(state, this.walls[k]));
     }
@@ -168,7 +169,8 @@ class View {
     }
     context.lineJoin = context.lineCap = "round";
     this.drawWalls(state);
-    if (trail) this.drawTrail(trail);
+    if (state.lattice) this.drawCell(state);
+    if (trail) this.drawTrail(trail, state.lattice);
     this.drawBodies(state, colour);
     if (contacts) this.drawContacts(state, picked);
     if (picked?.part !== undefined) this.drawPicked(state, picked.part);
@@ -193,6 +195,34 @@ class View {
       context.lineWidth = 1.5 * pixel;
       context.stroke(wall.path);
     });
+  }
+
+  // Draws the images of bodies that are next to a periodic cell, and the edge of the cell.
+  drawCell({bodies, lattice}) {
+    const {context, colours} = this, pixel = 1 / this.scale, corners = lattice.corners();
+    const farthest = Math.hypot(...sum(corners[0], -1, lattice.centre));
+    context.fillStyle = colours.solid;
+    context.strokeStyle = colours.edge;
+    context.lineWidth = 0.75 * pixel;
+    context.globalAlpha = 0.5;
+    for (const [i, j] of [[0, 1], [1, -1], [1, 0], [1, 1], [0, -1], [-1, 1], [-1, 0], [-1, -1]]) {
+      bodies.forEach((body, k) => {
+        const {path, radius} = this.bodies[k];
+        const place = sum(sum(body, i, lattice.u), j, lattice.v);
+        if (Math.hypot(...sum(place, -1, lattice.centre)) > farthest + radius) return;
+        this.enter([...place, body[THETA]]);
+        context.fill(path);
+        context.stroke(path);
+      });
+    }
+    context.globalAlpha = 1;
+    this.enter();
+    context.beginPath();
+    for (const corner of corners) context.lineTo(...corner);
+    context.closePath();
+    context.setLineDash([5 * pixel, 4 * pixel]);
+    context.stroke();
+    context.setLineDash([]);
   }
 
   drawBodies(state, colour) {
@@ -224,8 +254,9 @@ class View {
       for (const party of [contact[A], contact[B]]) {
         if (party < 0) continue;
         context.beginPath();
-        context.moveTo(state.bodies[party][X], state.bodies[party][Y]);
-        context.lineTo(contact[CONTACT_X], contact[CONTACT_Y]);
+        const [x, y] = state.bodies[party], point = [contact[CONTACT_X], contact[CONTACT_Y]];
+        context.moveTo(...state.lattice?.near([x, y], point) ?? [x, y]);
+        context.lineTo(...point);
         context.stroke();
       }
     });
@@ -239,11 +270,16 @@ class View {
     context.stroke(this.shape(part).path);
   }
 
-  drawTrail(states) {
+  // Draws a path, which is broken where a body leaves a periodic cell.
+  drawTrail(states, lattice) {
     const {context, colours} = this;
     this.enter();
     context.beginPath();
-    for (const state of states) context.lineTo(state[X], state[Y]);
+    states.forEach((state, k) => {
+      const [x, y] = state, moved = sum(state, -1, states[Math.max(k - 1, 0)]);
+      const jumps = lattice && Math.hypot(...moved) > 0.5 * Math.hypot(...lattice.u);
+      jumps ? context.moveTo(x, y) : context.lineTo(x, y);
+    });
     context.strokeStyle = colours.accent;
     context.lineWidth = 1.5 / this.scale;
     context.globalAlpha = 0.6;

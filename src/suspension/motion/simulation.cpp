@@ -16,17 +16,24 @@ using Eigen::VectorXd;
 
 namespace {
 
-Frame make_frame(double t, std::size_t bodies, const Solution& solution) {
+Frame make_frame(double t, const Scene& scene, const Solution& solution) {
   const Configuration& configuration = solution.instant.configuration;
   const std::vector<RigidMotion> motions = path_motions(solution);
   Frame frame{t, {}, {}};
+  if (const auto& cell = solution.instant.cell) {
+    frame.cell = FrameCell{lattice_of(*cell), cell_centre(scene), {}};
+  }
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const Complex position = solution.instant.path_position(k);
     const double orientation = configuration[k].orientation;
     const auto [velocity, omega] = motions[k];
     const auto [force, torque] = solution.loads[k];
-    if (k < bodies) {
+    if (k < scene.bodies.size()) {
       frame.bodies.push_back({position, orientation, velocity, omega, force, torque});
+      if (!frame.cell) continue;
+      BodyState& image = frame.cell->bodies.emplace_back(frame.bodies.back());
+      image.position = configuration[k].position;
+      image.velocity = solution.motions[k].velocity;
     } else {
       frame.walls.push_back({position, orientation, force, torque});
     }
@@ -156,7 +163,7 @@ void Simulation::write(const TimePoint& point, const Solution& solution,
   const double t = point.t;
   if (t <= state_.last_written) return;  // written before the run was resumed
   if (observer_.frame) {
-    Frame frame = make_frame(t, solver_.scene().bodies.size(), solution);
+    Frame frame = make_frame(t, solver_.scene(), solution);
     frame.contacts = contacts;
     const ComplexVector tracers = tracers_of(solver_, point.state);
     frame.tracers.assign(tracers.begin(), tracers.end());
