@@ -83,17 +83,19 @@ std::string animation_frame(const Frame& frame) {
   const auto contact_text = [](const ContactForce& contact) {
     return array(contact.a, contact.b, contact.point, contact.force, contact.gap);
   };
+  std::vector<BodyState> bodies = frame.bodies;
   std::string cell;
   if (frame.cell) {
-    const auto& [lattice, centre, bodies] = *frame.cell;
+    const auto& [lattice, centre, images] = *frame.cell;
+    for (std::size_t k = 0; k < bodies.size(); ++k) bodies[k].velocity = images[k].velocity;
     for (const Complex z : {centre, lattice.vector({1, 0}), lattice.vector({0, 1})}) {
       cell += (cell.empty() ? ",[" : ",") + short_number(z.real(), 12) + ',' +
               short_number(z.imag(), 12);
     }
     cell += ']';
   }
-  return data_block("frame", '[' + short_number(frame.t, 12) + ',' + list(frame.bodies, body_text) +
-                                 ',' + list(frame.walls, wall_text) + ',' +
+  return data_block("frame", '[' + short_number(frame.t, 12) + ',' + list(bodies, body_text) + ',' +
+                                 list(frame.walls, wall_text) + ',' +
                                  list(frame.contacts, contact_text) + cell + ']');
 }
 

@@ -177,6 +177,10 @@ class Animation(unittest.TestCase):
                 images = np.array([x, y]) + vectors - centre
                 expected = centre + images[np.argmin(np.hypot(*images.T))]
                 np.testing.assert_allclose(body[:2], expected, atol=1e-4)
+                if part == 0:  # U - G w with the vector w from the image to the path
+                    number = shown.index(body)
+                    exact = [first["ux"][number] - (y - expected[1]), first["uy"][number]]
+                    np.testing.assert_allclose(body[3:5], exact, atol=1e-4)
                 outside += np.hypot(*(expected - (x, y))) > 1
             corners = self.run_js("player.state.lattice.corners()") - centre
             self.assertEqual(len(corners), 6)
