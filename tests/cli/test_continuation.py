@@ -338,7 +338,8 @@ class Starts(GoingOn):
             self.assertIn(message, self.run_scene("d", other, "--from", "a", code=1).stderr)
 
     def test_extensions_in_a_cell(self):
-        Extensions.check_extensions(self, "cell", LATTICE, [0.3, 0.55])
+        tracers = "[[tracers]]\npoints = [[0.5, 3.5], [-3.0, -1.0]]\n"
+        Extensions.check_extensions(self, "cell", LATTICE + tracers, [0.3, 0.55])
 
     def test_walls_begin_where_they_were(self):
         self.run_scene("a", CELL)

@@ -22,8 +22,8 @@ FieldGrid field_grid(const FieldSettings& settings);
 
 /// A component that covers a point, or whose image covers it.
 struct Covering {
-  std::size_t component;
-  Complex shift;  ///< lattice vector from the component to the image, length; else 0
+  std::size_t component;  ///< number of the component
+  Complex shift;          ///< lattice vector from the component to the image, length; else 0
 };
 
 /// Finds the component that covers each point: a body or inner wall about the point, or an
