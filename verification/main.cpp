@@ -23,10 +23,10 @@ constexpr int exit_claim_fails = 2, exit_io = 3;
 
 /// Returns all studies in reading order.
 std::vector<study::Study> all_studies() {
-  return {trapezoid_study(),      double_layer_study(),  closure_study(), null_space_study(),
-          krylov_study(),         near_singular_study(), stress_study(),  fmm_study(),
-          time_stepping_study(),  stiv_study(),          lcp_study(),     suspension_study(),
-          preconditioning_study()};
+  return {trapezoid_study(),       double_layer_study(),  closure_study(), null_space_study(),
+          krylov_study(),          near_singular_study(), stress_study(),  fmm_study(),
+          time_stepping_study(),   stiv_study(),          lcp_study(),     suspension_study(),
+          preconditioning_study(), periodic_study()};
 }
 
 bool named(const std::vector<std::string>& names, const std::string& name) {

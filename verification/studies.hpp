@@ -19,6 +19,7 @@ study::Study stiv_study();
 study::Study lcp_study();
 study::Study suspension_study();
 study::Study preconditioning_study();
+study::Study periodic_study();
 /// @}
 
 }  // namespace stokesbook

@@ -60,8 +60,8 @@ class FarOperator {
 /// \f$ c_k \f$ is that of periodic Stokeslets with the mean zero, plus the linear pressure
 /// \f$ \frac1V\sum F_k\cdot(z - c) \f$, minus the constant
 /// \f$ \frac{1}{2V}\sum F_k\cdot(c_k - c) \f$.
-/// @par Accuracy  that of the Fmm with the same settings. FmmSettings with a leaf size of all
-///                points sum all near images directly.
+/// @par Accuracy  that of the Fmm with the same settings, @ref claim_14_6. FmmSettings with a leaf
+///                size of all points sum all near images directly.
 FmmImagePlan images_in(const Lattice& lattice);
 
 }  // namespace stokesbook

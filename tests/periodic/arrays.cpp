@@ -6,8 +6,8 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "cells.hpp"
 #include "fmm/fmm.hpp"
+#include "support/cells.hpp"
 #include "support/vectors.hpp"
 
 using namespace stokesbook;
@@ -17,49 +17,17 @@ using test::Cell;
 using test::CellBody;
 using test::CellMotion;
 using test::CellSolution;
+using test::disk_in_a_cell;
+using test::set_shear;
+using test::three_bodies;
 
 namespace {
 
 // All near images are summed directly; the order suffices for rounding.
 constexpr FmmSettings direct{44, 100000};
 
-CellBody body(const Shape& shape, Complex centre, double angle, Index n) {
-  return {place(sample(shape, n, Side::fluid_outside), centre, angle), centre, {}};
-}
-
-Cell disk_in_a_cell(Complex a1, Complex a2, double area_fraction, Index n) {
-  const Lattice lattice(a1, a2);
-  const double radius = std::sqrt(area_fraction * lattice.area() / pi);
-  return {lattice, {body(Ellipse{radius, radius}, {0.1, -0.2}, 0.0, n)}};
-}
-
-// Sets the flow u = (y, 0) about x_0.
-void set_shear(Cell& cell) {
-  cell.vorticity = -1.0;
-  cell.strain = imaginary;
-}
-
 void check(Complex found, Complex exact, double tolerance) {
   BOOST_TEST(std::abs(found - exact) < tolerance * (1.0 + std::abs(exact)));
-}
-
-// Three bodies with loads in a general cell and a general linear flow.
-Cell three_bodies(Index n) {
-  Cell cell{Lattice({2.2, 0.1}, {0.5, 1.9}),
-            {body(Ellipse{0.4, 0.2}, {-0.45, 0.35}, 0.5, n),
-             body(Ellipse{0.35, 0.25}, {0.5, 0.2}, -0.7, n),
-             body(Ellipse{0.3, 0.3}, {0.1, -0.55}, 0.0, n)}};
-  cell.viscosity = 1.3;
-  cell.vorticity = -1.3;  // G = [[0.2, 1], [-0.3, -0.2]]
-  cell.strain = {0.4, 0.7};
-  cell.mean_velocity = {0.1, -0.2};
-  const Complex forces[] = {{1.0, 0.5}, {-0.3, 0.2}, {-0.7, -0.7}};
-  const double torques[] = {0.3, -0.2, 0.5};
-  for (std::size_t k = 0; k < 3; ++k) {
-    cell.bodies[k].force = forces[k];
-    cell.bodies[k].torque = torques[k];
-  }
-  return cell;
 }
 
 void check_motions(const CellSolution& found, const std::vector<CellMotion>& exact,
@@ -93,17 +61,7 @@ BOOST_AUTO_TEST_CASE(square_array_drag) {
 
 // The double layer of the curve crosses the edges of the cell.
 BOOST_AUTO_TEST_CASE(worm_array) {
-  const Index n = 140;
-  Curve worm{ComplexVector(n), ComplexVector(n), ComplexVector(n), Side::fluid_outside};
-  for (Index i = 0; i < n; ++i) {
-    const double t = 2.0 * pi * static_cast<double>(i) / static_cast<double>(n);
-    const double x = 0.7 * std::cos(t), dx = -0.7 * std::sin(t), ddx = -x;
-    const double wave = std::cos(2.0 * x), bend = std::sin(2.0 * x);
-    worm.x[i] = {x, 0.15 * std::sin(t) + 0.3 * bend};
-    worm.dx[i] = {dx, 0.15 * std::cos(t) + 0.6 * wave * dx};
-    worm.ddx[i] = {ddx, -0.15 * std::sin(t) + 0.6 * wave * ddx - 1.2 * bend * dx * dx};
-  }
-  Cell cell{Lattice({1.0, 0.0}, {0.0, 1.0}), {{worm, 0.0, 0.0, 0.0, RigidMotion{}}}, 0.7};
+  Cell cell = test::worm_in_a_cell(140);
   cell.pressure_gradient = -1.0;
   const CellSolution along = solve(cell, direct, ComplexVector{{Complex{0.1, 0.4}}});
   check(along.mean_velocity, {0.008234042360237, 0.002263863756014}, 1e-10);
@@ -251,7 +209,7 @@ State rates(double t, const State& state) {
   for (const int k : {0, 1}) {
     const double radius = k == 0 ? 0.45 : 0.3;
     cell.bodies.push_back(
-        body(Circle{radius}, lattice.wrap(state(k, 0), 0.0), state(k, 1).real(), 64));
+        test::cell_body(Circle{radius}, lattice.wrap(state(k, 0), 0.0), state(k, 1).real(), 64));
   }
   const CellSolution solution = solve(cell, {36, 100000});
   State result;

@@ -10,88 +10,24 @@
 #include <omp.h>
 
 #include "fmm/fmm.hpp"
-#include "support/ewald.hpp"
 #include "support/lattices.hpp"
-#include "support/point_sets.hpp"
+#include "support/periodic_sources.hpp"
 
 using namespace stokesbook;
 using Eigen::Index;
 using test::PeriodicSources;
+using test::points_in_cell;
+using test::random_sources;
 using test::random_vector;
 
 namespace {
 
-// Returns points of the Voronoi cell of a centre.
-ComplexVector points_in_cell(const Lattice& lattice, Complex centre, Index n, unsigned seed) {
-  ComplexVector points = random_vector(n, seed);
-  for (Complex& z : points) {
-    z = lattice.wrap(centre + z.real() * lattice.shortest() + z.imag() * lattice.second(), centre);
-  }
-  return points;
-}
-
-// Returns random sources without a net source, in a Voronoi cell, whose velocities are of order one
-// in any unit of length.
-PeriodicSources random_sources(const Lattice& lattice, Complex centre, Index nodes, Index points) {
-  const double size = std::abs(lattice.shortest());
-  PeriodicSources sources{lattice,
-                          test::cloud(points_in_cell(lattice, centre, nodes, 1), 1e-6 * size),
-                          1e6 * random_vector(nodes, 2),
-                          {},
-                          centre};
-  const double mean = sources.net_source() / weights(sources.curve).sum();
-  sources.density -= mean * normals(sources.curve);
-  const ComplexVector places = points_in_cell(lattice, centre, points, 3);
-  const ComplexVector random = random_vector(2 * points, 4);
-  for (Index i = 0; i < points; ++i) {
-    sources.points.push_back({places[i], random[i], size * random[points + i].real()});
-  }
-  return sources;
-}
-
-struct Strengths {
-  explicit Strengths(const PeriodicSources& sources)
-      : positions(std::ssize(sources.points)), force(positions.size()), torque(positions.size()) {
-    for (Index i = 0; i < positions.size(); ++i) {
-      const PointForce& point = sources.points[static_cast<std::size_t>(i)];
-      positions[i] = point.position;
-      force[i] = point.force;
-      torque[i] = point.torque;
-    }
-  }
-  ComplexVector positions, force;
-  Eigen::VectorXd torque;
-};
-
-// Returns the largest error of velocities, and of derivatives times the size of the cell, relative
-// to the largest exact value. The pressure differs from the reference by the constant of
-// images_in().
+// Returns the errors of velocities and of derivatives.
 std::pair<double, double> errors(const PeriodicSources& sources, const ComplexVector& targets,
                                  const FmmSettings& settings) {
-  const Strengths strengths(sources);
-  const Fmm fmm({sources.curve}, strengths.positions, targets, settings,
-                images_in(sources.lattice));
-  const FmmStrengths all(sources.density, strengths.force, strengths.torque);
-  const ComplexVector found = fmm.velocity(all);
-  const std::vector<FlowDerivatives> slopes = fmm.derivatives(all);
-  double constant = 0.0;
-  for (const PointForce& point : sources.points) {
-    constant += dot(point.force, point.position - fmm.cell().centre);
-  }
-  constant /= 2.0 * sources.lattice.area();
-  double error = 0.0, scale = 0.0, slope_error = 0.0, slope_scale = 0.0;
-  for (Index i = 0; i < targets.size(); ++i) {
-    const Complex exact = sources.velocity(targets[i]);
-    error = std::max(error, std::abs(found[i] - exact));
-    scale = std::max(scale, std::abs(exact));
-    const FlowDerivatives slope = sources.derivatives(targets[i]);
-    const FlowDerivatives& other = slopes[static_cast<std::size_t>(i)];
-    slope_error = std::max({slope_error, std::abs(other.pressure - constant - slope.pressure),
-                            std::abs(other.vorticity - slope.vorticity),
-                            std::abs(other.strain - slope.strain)});
-    slope_scale = std::max({slope_scale, std::abs(slope.pressure), std::abs(slope.strain)});
-  }
-  return {error / scale, slope_error / slope_scale};
+  const test::PeriodicErrors found =
+      test::errors(sources, targets, settings, images_in(sources.lattice));
+  return {found.velocity, found.derivatives};
 }
 
 }  // namespace
@@ -148,7 +84,7 @@ BOOST_AUTO_TEST_CASE(order_from_the_tolerance) {
     BOOST_TEST_CONTEXT(named.name) {
       const Lattice lattice = named.lattice();
       const PeriodicSources sources = random_sources(lattice, 0.0, 60, 5);
-      const Strengths strengths(sources);
+      const test::PointStrengths strengths(sources);
       const ComplexVector targets = points_in_cell(lattice, 0.0, 60, 5);
       const auto sum = [&](const FmmSettings& settings) -> ComplexVector {
         const Fmm fmm({sources.curve}, strengths.positions, targets, settings, images_in(lattice));
@@ -171,7 +107,7 @@ BOOST_AUTO_TEST_CASE(periodic_flow) {
   PeriodicSources sources = random_sources(lattice, 0.0, 20, 3);
   for (const double net_source : {0.0, 0.7}) {
     sources.density += net_source / weights(sources.curve).sum() * normals(sources.curve);
-    const Strengths strengths(sources);
+    const test::PointStrengths strengths(sources);
     const Complex total = strengths.force.sum();
     BOOST_TEST(std::abs(total) > 0.1);
     const ComplexVector z = points_in_cell(lattice, 0.0, 10, 5);

@@ -34,6 +34,21 @@ struct Cell {
   }
 };
 
+/// Makes a free body without loads.
+CellBody cell_body(const Shape& shape, Complex centre, double angle, Eigen::Index n);
+
+/// Makes a cell with one free disk of n nodes, which covers a part of the cell's area.
+Cell disk_in_a_cell(Complex a1, Complex a2, double area_fraction, Eigen::Index n);
+
+/// Sets the flow u = (y, 0) about the origin of the linear flow.
+void set_shear(Cell& cell);
+
+/// Makes a general cell with a general linear flow and three free bodies, whose loads balance.
+Cell three_bodies(Eigen::Index n);
+
+/// Makes a unit cell with a held worm that is longer than the cell, and crosses its edges.
+Cell worm_in_a_cell(Eigen::Index n);
+
 /// Motion, load and stresslet of a body in the solution of a cell.
 struct CellMotion {
   Complex velocity;
@@ -51,7 +66,10 @@ struct CellSolution {
 };
 
 /// Solves the boundary integral equation of a cell by GMRES, without near corrections.
-CellSolution solve(const Cell& cell, const FmmSettings& settings,
-                   const ComplexVector& targets = {});
+///
+/// @param  images  those of images_in() if empty; a plan of images may have a planted defect
+/// @throws std::runtime_error when the residual exceeds 1e-12
+CellSolution solve(const Cell& cell, const FmmSettings& settings, const ComplexVector& targets = {},
+                   FmmImagePlan images = {});
 
 }  // namespace stokesbook::test
