@@ -42,7 +42,7 @@ TYPED_RESULT = re.compile(
     r"|\b10\s*(?:\^|<sup>)|\b10[⁻⁰¹²³⁴-⁹]+"
     r"|(?<![\w.])(?=\d*\.\d)(?=[0.]*[1-9](?:\.?\d){3})\d+\.\d+(?!\.?\w)"
     r"|(?<![\w.])\d+(?:\.\d+)?\s*(?:iterations?|seconds?|ms|µs|s)\b")
-EQUATION_NUMBER = re.compile(r"\((?:0[1-9]|1[0-3])\.\d{1,2}\)")  # (01.10)
+EQUATION_NUMBER = re.compile(r"\((?:0[1-9]|1[0-4])\.\d{1,2}\)")  # (01.10)
 TYPED_MANTISSA = re.compile(r"\d\.\d+\s*(?:\\,)?\\(?:cdot|times)\s*10\s*\^")
 
 

@@ -22,9 +22,9 @@ PLACES = {
     "trapezoid": (1, 0), "double_layer": (1, 1), "closure": (1, 2), "near_singular": (2, 3),
     "krylov": (0, 3), "null_space": (1, 3), "fmm": (3, 4), "time_stepping": (0, 4),
     "stress": (2, 4), "stiv": (0, 5), "lcp": (0, 6), "suspension": (0, 7),
-    "preconditioning": (0, 8)}
+    "preconditioning": (0, 8), "periodic": (2, 8)}
 PITCH, WIDTH, HEIGHT, ROW = 90, 78, 40, 62
-LAST_COLUMN, LAST_ROW = 3, 7  # chapters from this row on, which use all others, are as wide as the graph
+LAST_COLUMN, LAST_ROW = 3, 7  # the chapter in this row, which uses all above, is as wide as the graph
 
 
 def methods_of(root):
@@ -61,8 +61,8 @@ def direct_uses(uses, methods):
 def box(method):
     """Returns the left, the top and the width of a method's box."""
     column, row = PLACES[method]
-    width = LAST_COLUMN * PITCH + WIDTH if row >= LAST_ROW else WIDTH
-    return column * PITCH + 2, row * ROW + 2, width
+    more = LAST_COLUMN if row == LAST_ROW else 1 if row > LAST_ROW else 0  # columns
+    return column * PITCH + 2, row * ROW + 2, more * PITCH + WIDTH
 
 
 def arrow(used, user):
@@ -71,7 +71,9 @@ def arrow(used, user):
     x1, y1 = left + width / 2, top + HEIGHT
     left, y2, width = box(user)
     assert y1 < y2, f"the graph of chapters has no place for {user} below {used}"
-    x2 = x1 if PLACES[user][1] >= LAST_ROW else left + width / 2
+    x2 = x1 if PLACES[user][1] == LAST_ROW else left + width / 2
+    if PLACES[used][1] == LAST_ROW:
+        x1 = x2
     return f'<path class="arrow" d="M{x1:g} {y1:g} L{x2:g} {y2 - 5:g}" marker-end="url(#tip)"/>'
 
 

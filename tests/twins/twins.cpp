@@ -21,11 +21,13 @@
 #include "lcp/lemke.hpp"
 #include "near_singular/cauchy.hpp"
 #include "null_space/null_space.hpp"
+#include "periodic/far_sums.hpp"
 #include "preconditioning/cluster_preconditioner.hpp"
 #include "stiv/contacts.hpp"
 #include "stress/stress.hpp"
 #include "stress/stresslet.hpp"
 #include "stress/traction.hpp"
+#include "support/cells.hpp"
 #include "support/dense.hpp"
 #include "support/spectra.hpp"
 #include "suspension/solver/solver.hpp"
@@ -353,6 +355,20 @@ void chapter_13() {
   }
 }
 
+void chapter_14() {
+  for (const auto& [name, shear] :
+       {std::pair{"0.0", 0.0}, {"0.1", 0.1}, {"0.3", 0.3}, {"0.5", 0.5}}) {
+    test::Cell cell = test::disk_in_a_cell(1.0, {shear, 1.0}, 0.3, 96);
+    test::set_shear(cell);
+    const test::CellMotion disk = test::solve(cell, {44, 100000}).bodies[0];
+    print(std::string("disk_at_") + name,
+          VectorXd{{disk.omega, disk.stresslet.imag(), 2.0 * disk.stresslet.real()}});
+    constexpr double small = 0.2;  // radius of a disk without near images
+    const Complex sum = far_sums(cell.lattice, small, 1).s[2] / (small * small);
+    print(std::string("sum_at_") + name, VectorXd{{1.0 + sum.real(), sum.imag()}});
+  }
+}
+
 }  // namespace
 
 int main() {
@@ -360,7 +376,7 @@ int main() {
       {"01", chapter_01}, {"02", chapter_02}, {"03", chapter_03}, {"04", chapter_04},
       {"05", chapter_05}, {"06", chapter_06}, {"07", chapter_07}, {"08", chapter_08},
       {"09", chapter_09}, {"10", chapter_10}, {"11", chapter_11}, {"12", chapter_12},
-      {"13", chapter_13}};
+      {"13", chapter_13}, {"14", chapter_14}};
   for (const auto& [number, compute] : chapters) {
     chapter = number;
     compute();
