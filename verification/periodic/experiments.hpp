@@ -18,6 +18,7 @@ study::Experiment closures();
 study::Experiment viscosity();
 study::Experiment normal_stress();
 study::Experiment rotation();
+study::Experiment dense_arrays();
 study::Experiment invariances();
 study::Experiment wraps();
 study::Experiment cost();

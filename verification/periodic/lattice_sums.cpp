@@ -20,7 +20,7 @@ const Lattice& sheared_lattice() {
 
 constexpr double disk_radius = 0.7;  // of a disk that contains the Voronoi cell of the lattice
 
-// SumsOfPowers w^-m over the vectors between two radii.
+// Sums w^-m over the vectors between two radii.
 Complex direct_sum(double from, double to, int m) {
   Complex sum;
   for (const Complex w : sheared_lattice().half_disk(to)) {
@@ -64,7 +64,7 @@ Measure over_powers(SumsOfPowers sums) {
 Experiment lattice_sums() {
   return {
       .key = "sums",
-      .title = "SumsOfPowers over the far images of a sheared cell",
+      .title = "Sums over the far images of a sheared cell",
       .x = "power m",
       .error = "error, times the largest binomial factor of the far operator",
       .axes = Axes::semi_log,

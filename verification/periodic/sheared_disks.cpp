@@ -1,7 +1,6 @@
 // Compares free and held disks in sheared cells with expansions for small disks, and measures
 // viscosity, normal stress and rotation of sheared arrays.
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <tuple>
 
@@ -115,18 +114,23 @@ double excess_viscosity(const CellMotion& motion) {
 }
 
 double normal_stress_difference(const CellMotion& motion) {
-  return std::abs(2.0 * motion.stresslet.real());
+  return -2.0 * motion.stresslet.real();
 }
 
 double excess_rotation(const CellMotion& motion) {
   return motion.omega + 0.5;
 }
 
-Measure over_shears(double area_fraction, Value value) {
+// A range of shears. Its ends may leave out those at which a value vanishes by symmetry.
+struct Shears {
+  double from, to;
+};
+
+Measure over_shears(double area_fraction, Value value, const Shears& shears) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
     const double step = size == Size::full ? 0.05 : 0.1;
-    for (double shear = 0.0; shear < 1.0 + 0.5 * step; shear += step) {
+    for (double shear = shears.from; shear < shears.to + 0.5 * step; shear += step) {
       const CellMotion motion = free_disk(area_fraction, shear, nullptr, 64);
       measurements.push_back({.x = shear, .error = value(motion)});
     }
@@ -135,16 +139,40 @@ Measure over_shears(double area_fraction, Value value) {
 }
 
 Experiment over_a_period(const std::string& key, const std::string& title, const std::string& error,
-                         Value value) {
-  return {
-      .key = key,
-      .title = title,
-      .x = "shear γ",
-      .error = error,
-      .axes = Axes::no_law,
-      .lines = {{.key = "tenth", .label = "area fraction 0.1", .measure = over_shears(0.1, value)},
-                {.key = "three", .label = "area fraction 0.3", .measure = over_shears(0.3, value)},
-                {.key = "half", .label = "area fraction 0.5", .measure = over_shears(0.5, value)}}};
+                         Value value, const Shears& shears) {
+  Experiment experiment{.key = key,
+                        .title = title,
+                        .x = "shear γ",
+                        .error = error,
+                        .axes = Axes::no_law,
+                        .lines = {}};
+  for (const int percent : {10, 30, 50}) {
+    const double area_fraction = 0.01 * percent;
+    experiment.lines.push_back({.key = "percent_" + std::to_string(percent),
+                                .label = "area fraction 0." + std::to_string(percent / 10),
+                                .measure = over_shears(area_fraction, value, shears)});
+  }
+  return experiment;
+}
+
+Measure viscosities(double shear) {
+  return [=](Size) {
+    std::vector<Measurement> measurements;
+    for (const double phi : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6}) {
+      const CellMotion motion = free_disk(phi, shear, nullptr, 96);
+      measurements.push_back({.x = phi, .error = excess_viscosity(motion)});
+    }
+    return measurements;
+  };
+}
+
+std::vector<Measurement> two_terms(Size) {
+  std::vector<Measurement> measurements;
+  const double second = 2.0 - 4.0 / pi * SquareSums(0.5).t3.real();
+  for (const double phi : {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6}) {
+    measurements.push_back({.x = phi, .error = 2.0 * phi + second * phi * phi});
+  }
+  return measurements;
 }
 
 }  // namespace
@@ -167,17 +195,31 @@ Experiment small_disks() {
 
 Experiment viscosity() {
   return over_a_period("viscosity", "Viscosity that one free disk for each cell adds",
-                       "added viscosity, relative to the fluid's", excess_viscosity);
+                       "added viscosity, relative to the fluid's", excess_viscosity, {0.0, 1.0});
 }
 
 Experiment normal_stress() {
-  return over_a_period("normal_stress", "First normal stress difference",
-                       "modulus of N1 over viscosity and shear rate", normal_stress_difference);
+  return over_a_period("normal_stress", "First normal stress difference, in half a period",
+                       "-N1 over viscosity and shear rate", normal_stress_difference, {0.05, 0.45});
 }
 
 Experiment rotation() {
   return over_a_period("rotation", "Rotation of a free disk beside that of the mean flow",
-                       "angular velocity over the shear rate, plus one half", excess_rotation);
+                       "angular velocity over the shear rate, plus one half", excess_rotation,
+                       {0.1, 0.9});
+}
+
+Experiment dense_arrays() {
+  return {
+      .key = "dense",
+      .title = "Viscosity of arrays of free disks against the area fraction",
+      .x = "area fraction φ",
+      .error = "added viscosity, relative to the fluid's",
+      .lines = {
+          {.key = "square", .label = "square lattice", .measure = viscosities(0.0)},
+          {.key = "sheared", .label = "shear 0.3", .measure = viscosities(0.3)},
+          {.key = "half", .label = "shear 0.5", .measure = viscosities(0.5)},
+          {.key = "two_terms", .label = "two terms of (14.16), shear 0.5", .measure = two_terms}}};
 }
 
 }  // namespace stokesbook::verification::periodic

@@ -12,7 +12,7 @@ study::Study periodic_study() {
           .title = "Periodic and sheared cells",
           .experiments = {lattice_sums(), orders(), tolerances(), ewald_sums(), small_disks(),
                           drag(), printed_drag(), worm(), closures(), viscosity(), normal_stress(),
-                          rotation(), invariances(), wraps(), cost(), seconds()}};
+                          rotation(), dense_arrays(), invariances(), wraps(), cost(), seconds()}};
 }
 
 }  // namespace stokesbook
