@@ -44,7 +44,9 @@ namespace fs = std::filesystem;
 /// Solves the start, with the checks of a run, and prints how well the solution is resolved.
 void try_first_solve(const Scene& scene, const SuspensionSolver& solver) {
   const Instant start = solver.start();
-  if (scene.contact) SuspensionContact(solver).admit_start(start.configuration);
+  if (scene.contact) {
+    SuspensionContact(solver).admit_start({start.configuration, lattice_at(scene, 0.0)});
+  }
   std::printf("  %s\n", describe(solver, solver.solve(start)).c_str());
 }
 
@@ -72,6 +74,7 @@ RunContents contents_of(const Scene& scene, const SuspensionSolver& solver) {
                        .svg = is_requested(OutputFormat::svg),
                        .html = is_requested(OutputFormat::html),
                        .fields = scene.output.fields.has_value(),
+                       .cell = scene.cell.has_value(),
                        .contacts = scene.contact.has_value(),
                        .tracers = !scene.tracers.empty(),
                        .nodes = scene.output.nodes,

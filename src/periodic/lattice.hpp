@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace stokesbook {
 struct LatticeIndex {
   std::int64_t first = 0;   ///< j
   std::int64_t second = 0;  ///< k
+
+  auto operator<=>(const LatticeIndex&) const = default;  ///< compares j, then k
 };
 
 /// A lattice of the plane: all vectors \f$ w = j a_1 + k a_2 \f$ with integers j and k.

@@ -55,10 +55,11 @@ std::string rheology_row(const Frame& frame) {
   return table_row(frame.t, dissipation, torque_ratio, order_parameter, stresslet, uniform);
 }
 
-std::string contact_rows(const Frame& frame) {
+std::string contact_rows(const Frame& frame, bool in_cell) {
   std::string rows;
-  for (const auto& [a, b, point, normal, force, gap] : frame.contacts) {
-    rows += table_row(frame.t, a, b, point, normal, force, gap);
+  for (const auto& [a, b, point, normal, force, gap, image, shift] : frame.contacts) {
+    rows += in_cell ? table_row(frame.t, a, b, point, normal, force, gap, image[0], image[1])
+                    : table_row(frame.t, a, b, point, normal, force, gap);
   }
   return rows;
 }

@@ -19,8 +19,10 @@ inline constexpr std::string_view walls_header = "t,wall,fx,fy,torque\n";
 /// Header of `rheology.csv`.
 inline constexpr std::string_view rheology_header =
     "t,dissipation,torque_ratio,order_parameter,s11,s12,uniform_x,uniform_y\n";
-/// Header of `contacts.csv`.
-inline constexpr std::string_view contacts_header = "t,a,b,x,y,nx,ny,force,gap\n";
+/// Header of `contacts.csv`, and the one in scenes with a periodic cell.
+inline constexpr std::string_view contacts_header = "t,a,b,x,y,nx,ny,force,gap\n",
+                                  cell_contacts_header =
+                                      "t,a,b,x,y,nx,ny,force,gap,image_1,image_2\n";
 /// Header of `tracers.csv`.
 inline constexpr std::string_view tracers_header = "t,tracer,x,y\n";
 /// Header of `nodes.csv`.
@@ -42,8 +44,9 @@ std::string trajectory_rows(const Frame& frame);
 std::string wall_rows(const Frame& frame);
 /// Writes one line; undefined values are `nan`.
 std::string rheology_row(const Frame& frame);
-/// Writes one line for each contact; a and b are `body:3` or `wall:0`.
-std::string contact_rows(const Frame& frame);
+/// Writes one line for each contact; a and b are `body:3` or `wall:0`. In a periodic cell, each line
+/// ends with the image of b.
+std::string contact_rows(const Frame& frame, bool in_cell = false);
 /// Writes one line for each tracer.
 std::string tracer_rows(const Frame& frame);
 /// Writes one line for each node; components are numbered by ContactParty::id().

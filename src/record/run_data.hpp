@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <compare>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -52,7 +54,8 @@ struct ContactParty {
   long id() const { return is_wall ? -1 - static_cast<long>(number) : static_cast<long>(number); }
 };
 
-/// A contact force, which keeps two components apart.
+/// A contact force, which keeps two components apart. In a periodic cell, it may act between the
+/// first component and an image of the second one, or of the first one.
 struct ContactForce {
   ContactParty a;      ///< the first component
   ContactParty b;      ///< the second component
@@ -60,6 +63,9 @@ struct ContactForce {
   Complex normal;      ///< direction of the force on a, unit vector
   double force = 0.0;  ///< >= 0, force / length
   double gap = 0.0;    ///< gap of the curves at the end of the step with this force, length
+  /// Numbers j and k of the image j a1 + k a2 of b, relative to the path of b.
+  std::array<std::int64_t, 2> image{};
+  Complex shift{};  ///< vector j a1 + k a2 from b to this image when the force acts, length
 };
 
 /// The flow at a node of a component.

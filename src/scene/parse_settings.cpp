@@ -174,7 +174,6 @@ std::optional<CellSettings> read_cell(const TableReader& root, const SceneFile& 
   root.refuse({"walls"},
               "not allowed with [cell]: walls do not move with the lattice; a body with "
               "held = true is an obstacle that repeats");
-  root.refuse({"contact"}, "not supported in a periodic cell yet");
   const auto refuse = [&](std::string_view section, std::initializer_list<std::string_view> keys,
                           const std::string& reason) {
     if (const Node* table = root.find(section)) TableReader(*table).refuse(keys, reason);

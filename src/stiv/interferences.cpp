@@ -10,9 +10,6 @@ namespace stokesbook {
 
 namespace {
 
-// Contacts that end within this many separations are listed even if no gap is violated.
-constexpr double listed_separations = 4.0;
-
 void require_valid(const ContactShapes& shapes, const std::vector<RigidPath>& paths,
                    const ContactRules& rules) {
   require(shapes.size() == paths.size(), "contact requires a path for each shape, got ",

@@ -16,6 +16,9 @@ struct ContactRules {
   double allowed_intrusion = 0.5;       ///< see Clearance, 0 to 1
 };
 
+/// Contacts that end within this many separations are listed even if no gap is violated.
+inline constexpr double listed_separations = 4.0;
+
 /// The contacts of a step.
 struct Interferences {
   std::vector<Contact> contacts;  ///< ascending by pair

@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(starts_may_lack_a_thousandth_of_the_separation) {
   const double lacking = 0.1 * (1.0 - 1.1e-3);
   check_start_refused(with_gap(lacking), "allow_close", {{"body 0 and body 1 are ", lacking}});
   const SuspensionSolver solver(with_gap(0.1 * (1.0 - 0.9e-3)));
-  SuspensionContact(solver).admit_start(solver.start().configuration);
+  SuspensionContact(solver).admit_start({solver.start().configuration});
 }
 
 // Contact is searched for along the path of a step. A step of a billion turns would take a billion

@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_the_format_stands_for_what_a_checkpoint_holds
     for (const std::string& name : names) text += name + ' ';
     return text;
   };
-  BOOST_TEST(to_text({}).starts_with("stokesbook checkpoint 4\n"));
+  BOOST_TEST(to_text({}).starts_with("stokesbook checkpoint 5\n"));
   Scene scene = sheared_pair();
   BOOST_TEST(
       names_of(scene) ==

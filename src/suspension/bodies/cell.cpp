@@ -62,6 +62,11 @@ Complex image_velocity(const Scene& scene, Complex vector) {
   return gradient_of(scene)(vector);
 }
 
+std::optional<Lattice> lattice_at(const Scene& scene, double t) {
+  const std::optional<PeriodicCell> cell = cell_at(scene, t);
+  return cell ? std::optional(lattice_of(*cell)) : std::nullopt;
+}
+
 std::vector<PathShift> path_shifts(const Scene& scene, const PeriodicCell& cell,
                                    const Configuration& paths) {
   const Lattice lattice = lattice_of(cell);
@@ -71,6 +76,11 @@ std::vector<PathShift> path_shifts(const Scene& scene, const PeriodicCell& cell,
     shifts.push_back({w, image_velocity(scene, w)});
   }
   return shifts;
+}
+
+std::optional<LatticeStep> lattice_step(const std::optional<Lattice>& start,
+                                        const std::optional<Lattice>& end) {
+  return start ? std::optional(LatticeStep{*start, *end}) : std::nullopt;
 }
 
 }  // namespace stokesbook

@@ -33,6 +33,9 @@ struct PathShift {
   Complex velocity;  ///< velocity G w of the component relative to the image, for the flow factor 1
 };
 
+/// Returns the lattice of a scene at a time; none in scenes without a cell.
+std::optional<Lattice> lattice_at(const Scene& scene, double t);
+
 /// Finds the image of each component that is nearest to the cell_centre().
 ///
 /// @param  paths  places of the components on paths that do not jump where a body leaves the cell
@@ -46,6 +49,22 @@ struct LatticeStep {
 
   /// Returns the vector that a vector of the first lattice becomes in the second one, length.
   Complex at_end(Complex vector) const { return end.vector(start.index(vector)); }
+};
+
+/// Returns the lattices of a step; none without lattices.
+std::optional<LatticeStep> lattice_step(const std::optional<Lattice>& start,
+                                        const std::optional<Lattice>& end);
+
+/// The components on their paths at a time, and the lattice with which they repeat.
+struct Placement {
+  Configuration paths;               ///< poses on paths that do not jump
+  std::optional<Lattice> lattice{};  ///< none: nothing repeats
+
+  /// Returns the pose of component k, moved by a lattice vector.
+  Pose image(std::size_t k, LatticeIndex index) const {
+    const auto [position, orientation] = paths[k];
+    return {lattice ? position + lattice->vector(index) : position, orientation};
+  }
 };
 
 }  // namespace stokesbook

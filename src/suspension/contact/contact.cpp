@@ -48,15 +48,22 @@ ContactParty contact_party(const Scene& scene, std::size_t component) {
 
 std::vector<ContactForce> contact_forces(const Scene& scene, const ContactResult& result,
                                          const GapConstraints& constraints,
-                                         const Separation& separation) {
+                                         const ConstraintRules& rules,
+                                         const std::optional<Lattice>& lattice) {
   std::vector<ContactForce> forces;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     const auto row = static_cast<Index>(i);
     if (result.multipliers[row] <= 0.0) continue;
     const GapConstraint& found = constraints.at(result.keys[i]);
-    forces.push_back({contact_party(scene, found.a), contact_party(scene, found.b),
-                      found.force_on_a.point, found.force_on_a.normal, result.multipliers[row],
-                      separation.between(found.a, found.b) + result.gaps[row]});
+    const auto& [a, b, image] = found.pair;
+    forces.push_back({.a = contact_party(scene, a),
+                      .b = contact_party(scene, b),
+                      .point = found.force_on_a.point,
+                      .normal = found.force_on_a.normal,
+                      .force = result.multipliers[row],
+                      .gap = rules.between(found.pair, rules.curves) + result.gaps[row],
+                      .image = {image.first, image.second},
+                      .shift = lattice ? lattice->vector(image) : Complex{}});
   }
   return forces;
 }
@@ -71,7 +78,7 @@ std::vector<ComponentPair> unresolved_pairs(const ContactOutcome& outcome,
   std::vector<ComponentPair> pairs;
   for (std::size_t i = 0; i < result.keys.size(); ++i) {
     if (is_solved && result.response[static_cast<Index>(i)] > 0.0) continue;
-    const GapConstraint& found = constraints.at(result.keys[i]);
+    const ContactPair& found = constraints.at(result.keys[i]).pair;
     pairs.emplace_back(found.a, found.b);
   }
   return pairs;
@@ -79,8 +86,8 @@ std::vector<ComponentPair> unresolved_pairs(const ContactOutcome& outcome,
 
 }  // namespace
 
-Imbalance imbalance(const VectorXd& force, const Configuration& acting,
-                    const ContactShapes& shapes) {
+Imbalance imbalance(const VectorXd& force, const Configuration& acting, const ContactShapes& shapes,
+                    double torque) {
   std::vector<std::size_t> loaded;
   Complex centre{};
   for (std::size_t k = 0; k < acting.size(); ++k) {
@@ -91,12 +98,12 @@ Imbalance imbalance(const VectorXd& force, const Configuration& acting,
   if (loaded.empty()) return {0.0, 0.0};
   centre /= static_cast<double>(loaded.size());
   Complex net{};
-  double torque = 0.0, largest = 0.0, farthest = 0.0, radius = 0.0;
+  double largest = 0.0, farthest = 0.0, radius = 0.0;
   for (const std::size_t k : loaded) {
     const auto first = static_cast<Index>(3 * k);
     const Complex own(force[first], force[first + 1]), arm = acting[k].position - centre;
     net += own;
-    torque += force[first + 2] + cross(arm, own);
+    torque -= force[first + 2] + cross(arm, own);
     // The forces of two contacts of a body may cancel and leave a torque.
     largest = std::max({largest, std::abs(own), std::abs(force[first + 2]) / shapes[k]->radius});
     farthest = std::max(farthest, std::abs(arm));
@@ -114,39 +121,47 @@ SuspensionContact::SuspensionContact(const SuspensionSolver& solver)
   polygon_separation_ = separation_ + 2.0 * sag;
 }
 
-// Finds the gaps of pairs that forces can move apart, and all overlaps.
-std::vector<PolygonGap> SuspensionContact::gaps(const Configuration& configuration) const {
-  std::vector<PolygonGap> gaps = polygon_gaps(shapes_, configuration, polygon_separation_);
-  std::erase_if(gaps, [this](const PolygonGap& found) {
-    return found.gap > 0.0 && !is_movable_pair(solver_.discretisation(), found.a, found.b);
-  });
+// Finds the gaps of pairs that forces can move apart, and all overlaps. Overlaps are measured by the
+// polygons, gaps by the curves.
+std::vector<std::pair<ContactPair, double>> SuspensionContact::gaps(
+    const Placement& placement) const {
+  const Discretisation& discretisation = solver_.discretisation();
+  const PathImages images = resting_images(shapes_, placement, polygon_separation_);
+  std::vector<Pose> poses;
+  for (const RigidPath& path : images.paths) poses.push_back(path.start);
+  std::vector<std::pair<ContactPair, double>> gaps;
+  for (const PolygonGap& found : polygon_gaps(images.shapes, poses, polygon_separation_)) {
+    const std::optional<ContactPair> pair = images.pair(found.a, found.b);
+    if (!pair) continue;
+    const auto curve = [&](std::size_t k, const Pose& pose) {
+      return smooth_curve(*discretisation[k], pose);
+    };
+    if (found.gap <= 0.0) {
+      gaps.emplace_back(*pair, found.gap);
+    } else if (is_movable_pair(discretisation, pair->a, pair->b)) {
+      gaps.emplace_back(*pair, closest_points(curve(pair->a, placement.paths[pair->a]),
+                                              curve(pair->b, placement.image(pair->b, pair->image)))
+                                   .gap);
+    }
+  }
   return gaps;
 }
 
-double SuspensionContact::curve_gap(const PolygonGap& found,
-                                    const Configuration& configuration) const {
-  const auto curve = [&](std::size_t k) {
-    return smooth_curve(*solver_.discretisation()[k], configuration[k]);
-  };
-  return closest_points(curve(found.a), curve(found.b)).gap;
+ConstraintRules SuspensionContact::constraint_rules(const CloserGaps& closer) const {
+  return {polygon_separation_, separation_, closer, relative_tolerance * separation_};
 }
 
-ConstraintRules SuspensionContact::constraint_rules(const CloserPairs& closer) const {
-  return {{{polygon_separation_, closer}, relative_tolerance * separation_}, {separation_, closer}};
-}
-
-CloserPairs SuspensionContact::admit_start(const Configuration& configuration) const {
+CloserGaps SuspensionContact::admit_start(const Placement& start) const {
   std::vector<std::string> overlaps, narrow;
-  CloserPairs closer;
-  for (const PolygonGap& found : gaps(configuration)) {
-    const std::string pair = name_pair(solver_.scene(), found.a, found.b);
-    if (found.gap <= 0.0) {
-      overlaps.push_back(pair + " by " + short_number(-found.gap));
+  CloserGaps closer;
+  for (const auto& [pair, gap] : gaps(start)) {
+    const std::string name = name_contact_pair(solver_.scene(), pair);
+    if (gap <= 0.0) {
+      overlaps.push_back(name + " by " + short_number(-gap));
     } else {
-      const double gap = curve_gap(found, configuration);
-      closer[{found.a, found.b}] = gap;
+      closer[pair] = gap;
       if (gap < (1.0 - relative_slack_of_starts) * separation_) {
-        narrow.push_back(pair + " are " + short_number(gap) + " apart");
+        narrow.push_back(name + " are " + short_number(gap) + " apart");
       }
     }
   }
@@ -160,48 +175,49 @@ CloserPairs SuspensionContact::admit_start(const Configuration& configuration) c
   return closer;
 }
 
-CloserPairs SuspensionContact::update_closer(const CloserPairs& closer,
-                                             const Configuration& configuration) const {
+CloserGaps SuspensionContact::update_closer(const CloserGaps& closer,
+                                            const Placement& placement) const {
   if (closer.empty()) return {};
-  CloserPairs result;
-  for (const PolygonGap& found : gaps(configuration)) {
-    const auto earlier = closer.find({found.a, found.b});
-    if (earlier == closer.end()) continue;
-    result[earlier->first] = std::max(earlier->second, curve_gap(found, configuration));
+  CloserGaps result;
+  for (const auto& [pair, gap] : gaps(placement)) {
+    const auto earlier = closer.find(pair);
+    if (earlier != closer.end()) result[pair] = std::max(earlier->second, gap);
   }
   return result;
 }
 
-std::string SuspensionContact::too_close(const Configuration& configuration,
-                                         const CloserPairs& closer) const {
-  const Separation kept{separation_, closer};
+std::string SuspensionContact::too_close(const Placement& placement,
+                                         const CloserGaps& closer) const {
+  const ConstraintRules rules = constraint_rules(closer);
   std::vector<std::string> pairs;
-  for (const PolygonGap& found : gaps(configuration)) {
-    const double gap = found.gap > 0.0 ? curve_gap(found, configuration) : found.gap;
+  for (const auto& [pair, gap] : gaps(placement)) {
     // Twice the tolerance of the contact loop, whose closest points differ by rounding: they were
     // found from other starting points.
-    const double least = kept.between(found.a, found.b) - 2.0 * relative_tolerance * separation_;
+    const double least = rules.between(pair, separation_) - 2.0 * rules.tolerance;
     if (gap >= least) continue;
-    pairs.push_back(name_pair(solver_.scene(), found.a, found.b) + " are " + short_number(gap) +
+    pairs.push_back(name_contact_pair(solver_.scene(), pair) + " are " + short_number(gap) +
                     " apart");
   }
   return joined(pairs);
 }
 
-double SuspensionContact::relative_displacement(const Configuration& start,
-                                                const VectorXd& velocity, double dt) const {
-  const std::vector<RigidPath> paths = straight_paths(start, velocity, dt);
+double SuspensionContact::relative_displacement(const Placement& start, const VectorXd& velocity,
+                                                double dt,
+                                                const std::optional<Lattice>& end_lattice) const {
+  const PathImages images = path_images(shapes_, straight_paths(start.paths, velocity, dt),
+                                        lattice_step(start.lattice, end_lattice),
+                                        listed_separations * polygon_separation_);
   const auto area_over_perimeter = [this](std::size_t k) {
     const Curve& curve = solver_.discretisation()[k]->curve;
     return area(curve) / perimeter(curve);
   };
   double largest = 0.0;
-  for (const Contact& contact :
-       interferences(shapes_, paths, constraint_rules({}).polygons).contacts) {
-    const std::size_t a = contact.a, b = contact.b;
-    if (!is_movable_pair(solver_.discretisation(), a, b)) continue;
-    const double length = RelativePath(paths[a], paths[b]).speed_bound(shapes_[a]->radius);
-    const double width = std::min(area_over_perimeter(a), area_over_perimeter(b));
+  for (const Contact& contact : constraint_rules({}).find(images).contacts) {
+    const std::optional<ContactPair> pair = images.pair(contact.a, contact.b);
+    if (!pair || !is_movable_pair(solver_.discretisation(), pair->a, pair->b)) continue;
+    const double length = RelativePath(images.paths[contact.a], images.paths[contact.b])
+                              .speed_bound(shapes_[pair->a]->radius);
+    const double width = std::min(area_over_perimeter(pair->a), area_over_perimeter(pair->b));
     largest = std::max(largest, length / width);
   }
   return largest;
@@ -215,7 +231,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
       .free_velocity = stage.free_velocity,
       .dt = stage.dt,
       .separation = separation_,
-      .tolerance = rules.polygons.tolerance,
+      .tolerance = rules.tolerance,
       .rows = {},
       .respond = [&](const Eigen::SparseMatrix<double>& forces) -> Eigen::MatrixXd {
         return stage.share * mobility(forces);
@@ -223,8 +239,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
       .refine = [&](const VectorXd& multipliers) { return mobility.refine(multipliers); },
       .name =
           [&](const ContactKey& key) {
-            const GapConstraint& constraint = constraints.at(key);
-            return name_pair(solver_.scene(), constraint.a, constraint.b);
+            return name_contact_pair(solver_.scene(), constraints.at(key).pair);
           }};
   ContactOutcome outcome{};
   const auto attempt = [&] {
@@ -241,9 +256,21 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
   while (improve(mobility, outcome.result.status)) attempt();
   const ContactResult& result = outcome.result;
   if (outcome.is_resolved()) outcome.correction = mobility.relative_correction(result.multipliers);
-  outcome.forces = contact_forces(solver_.scene(), result, constraints, rules.curves);
+  outcome.forces =
+      contact_forces(solver_.scene(), result, constraints, rules, stage.acting.lattice);
   outcome.unresolved = unresolved_pairs(outcome, constraints, solver_.scene().solver.tolerance);
-  outcome.imbalance = imbalance(result.force, stage.acting, shapes_);
+  // A force F on a acts as -F on the image of b, which the lattice carries by w from the component b.
+  double torque_of_images = 0.0;
+  if (const auto lattice = lattice_step(stage.start.lattice, stage.end_lattice)) {
+    for (const ContactForce& contact : outcome.forces) {
+      const Complex force = contact.force * contact.normal;
+      const LatticeIndex image{contact.image[0], contact.image[1]};
+      torque_of_images += cross(contact.shift, force);
+      outcome.result.power -=
+          dot(force, lattice->end.vector(image) - lattice->start.vector(image)) / stage.dt;
+    }
+  }
+  outcome.imbalance = imbalance(result.force, stage.acting.paths, shapes_, torque_of_images);
   outcome.kkt_residual = result.kkt_residual / separation_;
   return outcome;
 }

@@ -24,8 +24,10 @@ struct Imbalance {
 /// a component, or the torque on a component over its radius.
 /// @param  force   3K numbers: force and torque about its position of each of K components
 /// @param  acting  configuration in which they act
+/// @param  torque  net torque of forces that balance: w x F for a force F on a component by the image
+///                 of another one that is moved by w
 Imbalance imbalance(const Eigen::VectorXd& force, const Configuration& acting,
-                    const ContactShapes& shapes);
+                    const ContactShapes& shapes, double torque = 0.0);
 
 /// The contact of a stage.
 struct ContactOutcome {
@@ -60,11 +62,11 @@ class SuspensionContact {
   ///
   /// @throws ConfigurationError when components overlap, with all pairs and depths; and when gaps
   ///                are narrower than the separation, unless contact.allow_close is true
-  CloserPairs admit_start(const Configuration& configuration) const;
+  CloserGaps admit_start(const Placement& start) const;
 
   /// Updates the gaps of pairs that started closer than the separation, and leaves out pairs that
   /// are no longer closer: gaps that have opened must not close again.
-  CloserPairs update_closer(const CloserPairs& closer, const Configuration& configuration) const;
+  CloserGaps update_closer(const CloserGaps& closer, const Placement& placement) const;
 
   /// Resolves the contact of a stage, with the mobility of the configuration in which forces act.
   /// The resulting velocity is valid only if the contact is resolved.
@@ -75,17 +77,16 @@ class SuspensionContact {
   /// Measures how far a step moves components past each other that come near each other: the
   /// largest path of a point of one component in the frame of the other, over the smaller ratio of
   /// area and perimeter, which is half the radius for a disk. The velocity is packed by to_rate().
-  double relative_displacement(const Configuration& start, const Eigen::VectorXd& velocity,
-                               double dt) const;
+  double relative_displacement(const Placement& start, const Eigen::VectorXd& velocity, double dt,
+                               const std::optional<Lattice>& end_lattice) const;
 
   /// Lists the pairs that violate the separation by more than 2e-5 separations, with the gaps of
   /// their curves, as text; empty if there is none. Pairs of `closer` may be closer.
-  std::string too_close(const Configuration& configuration, const CloserPairs& closer) const;
+  std::string too_close(const Placement& placement, const CloserGaps& closer) const;
 
  private:
-  std::vector<PolygonGap> gaps(const Configuration& configuration) const;
-  double curve_gap(const PolygonGap& found, const Configuration& configuration) const;
-  ConstraintRules constraint_rules(const CloserPairs& closer) const;
+  std::vector<std::pair<ContactPair, double>> gaps(const Placement& placement) const;
+  ConstraintRules constraint_rules(const CloserGaps& closer) const;
 
   const SuspensionSolver& solver_;
   double separation_;

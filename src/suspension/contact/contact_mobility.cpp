@@ -13,6 +13,7 @@
 #include <Eigen/QR>
 
 #include "double_layer/double_layer.hpp"
+#include "suspension/system/fast_sum.hpp"
 
 namespace stokesbook {
 
@@ -73,9 +74,10 @@ VectorXd rotate_forces(VectorXd load, const Configuration& configuration, double
   return load;
 }
 
-// Makes the closure of the same components at rest, under a load alone.
-Closure closure_under(StokesProblem problem, const SparseVector<double>& load) {
+// Poses the problem of the same components at rest, under a load alone.
+StokesProblem problem_under(StokesProblem problem, const SparseVector<double>& load) {
   problem.background.resize(0);
+  if (problem.cell && problem.cell->pressure_gradient) problem.cell->pressure_gradient = 0.0;
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     Component& component = problem.components[k];
     component.velocity = ComplexVector::Zero(component.velocity.size());
@@ -83,7 +85,18 @@ Closure closure_under(StokesProblem problem, const SparseVector<double>& load) {
     component.force = {load.coeff(first), load.coeff(first + 1)};
     component.torque = load.coeff(first + 2);
   }
-  return Closure(problem);
+  return problem;
+}
+
+// Assembles the right-hand side of the system for a load alone. The singularities of the few bodies
+// on which a load acts are summed directly, unless they have images.
+ComplexVector rhs_under(const StokesProblem& problem, const SparseVector<double>& load,
+                        const Plan& plan) {
+  const StokesProblem loaded = problem_under(problem, load);
+  const Closure closure(loaded);
+  if (!problem.cell) return closure.right_hand_side();
+  const ComplexVector none = ComplexVector::Zero(node_offsets(loaded).back());
+  return -FastSum(loaded, plan.sum_tolerance).velocity(none, closure.given_loads());
 }
 
 // Returns the cosine of the angle between two loads.
@@ -180,7 +193,7 @@ void ContactMobility::reuse_similar(Column& column) const {
 
 void ContactMobility::solve_by_factors(Column& column) const {
   const LinearSystem& discrete = *solution_.system;
-  const ComplexVector rhs = closure_under(discrete.problem, column.load).right_hand_side();
+  const ComplexVector rhs = rhs_under(discrete.problem, column.load, solver_.plan());
   column.density = deinterleaved(discrete.precondition(interleaved(rhs)));
   column.tolerance = combination_tolerance_;
   complete(column, rhs.norm());
@@ -227,7 +240,7 @@ void ContactMobility::solve_to_tolerance(Column& column, double angle) {
   if (column.tolerance <= std::max(combination_tolerance_, angle * column_tolerance_)) return;
   column.tolerance =
       std::max(combination_tolerance_, angle * std::min(column_tolerance_, most_solved_tolerance));
-  const ComplexVector rhs = closure_under(solution_.system->problem, column.load).right_hand_side();
+  const ComplexVector rhs = rhs_under(solution_.system->problem, column.load, solver_.plan());
   column.density = deinterleaved(run_gmres(rhs, column.tolerance, column.density).solution);
   complete(column, rhs.norm());
 }
@@ -300,7 +313,7 @@ bool ContactMobility::refine_combination(const VectorXd& multipliers) {
   const auto columns = static_cast<int>((weights.array() != 0.0).count());
   if (iterations > iterations_of_closer_column * columns) return tighten();
   const auto [load, density] = combine(multipliers);
-  const ComplexVector rhs = closure_under(solution_.system->problem, load).right_hand_side();
+  const ComplexVector rhs = rhs_under(solution_.system->problem, load, solver_.plan());
   const double strength = std::max(flow_norm, rhs.norm());
   const GmresResult found = run_gmres(rhs, combination_tolerance_ * strength / rhs.norm(), density);
   latest_weights = weights;
@@ -350,7 +363,8 @@ Solution ContactMobility::loaded_solution(const VectorXd& multipliers) const {
   Solution loaded = solution_;
   if (!(multipliers.array() > 0.0).any()) return loaded;
   const auto [load, density] = combine(multipliers);
-  const Completion added = closure_under(solution_.system->problem, load).complete(density);
+  const Completion added =
+      Closure(problem_under(solution_.system->problem, load)).complete(density);
   loaded.density += density;
   loaded.uniform_velocity += added.uniform_velocity;
   for (std::size_t k = 0; k < loaded.motions.size(); ++k) {

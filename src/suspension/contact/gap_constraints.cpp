@@ -18,11 +18,14 @@ using Eigen::VectorXd;
 
 namespace {
 
+// The lowest 12 bits of both numbers of an index tell the images apart that are near at one time.
 ContactKey contact_key(const GapConstraint& constraint, std::size_t components) {
-  constexpr std::int64_t more_than_vertices = std::int64_t{1} << 32;
-  const RowKey& key = constraint.row.key;
-  return {static_cast<std::int64_t>(constraint.a * components + constraint.b),
-          (key.vertex_of == constraint.b ? more_than_vertices : 0) + key.vertex};
+  constexpr std::int64_t more_than_vertices = std::int64_t{1} << 32, indices = 1 << 12;
+  const auto& [a, b, image] = constraint.pair;
+  const auto pair = static_cast<std::int64_t>(a * components + b);
+  const auto last_bits = [](std::int64_t number) { return number & (indices - 1); };
+  return {(pair * indices + last_bits(image.first)) * indices + last_bits(image.second),
+          (constraint.nearest.of_b ? more_than_vertices : 0) + constraint.nearest.vertex};
 }
 
 // Vertices are equidistant in the parameter of the shape.
@@ -37,11 +40,12 @@ Index nearest_vertex(const Polygon& polygon, double parameter) {
   return vertex % polygon.size();
 }
 
-void insert_wrench(GapGradient& gradient, Index i, std::size_t component, const Wrench& wrench) {
+// A component that touches its own image has both wrenches in the same entries.
+void add_wrench(GapGradient& gradient, Index i, std::size_t component, const Wrench& wrench) {
   const auto first = static_cast<Index>(3 * component);
-  gradient.insert(i, first) = wrench.force.real();
-  gradient.insert(i, first + 1) = wrench.force.imag();
-  gradient.insert(i, first + 2) = wrench.torque;
+  gradient.coeffRef(i, first) += wrench.force.real();
+  gradient.coeffRef(i, first + 1) += wrench.force.imag();
+  gradient.coeffRef(i, first + 2) += wrench.torque;
 }
 
 Complex middle(const ClosestPoints& points) {
@@ -53,16 +57,31 @@ UnitForce unit_force(const ClosestPoints& points) {
   return {middle(points), (points.point_a - points.point_b) / points.gap};
 }
 
+// A component, or an image of it.
+struct PosedComponent {
+  std::size_t component;
+  Pose pose;
+};
+
+// Returns the two components of a constraint, first the one with the vertex.
+std::pair<PosedComponent, PosedComponent> posed_pair(const GapConstraint& constraint,
+                                                     const Placement& at) {
+  const auto& [a, b, image] = constraint.pair;
+  const PosedComponent posed_a{a, at.paths[a]}, posed_b{b, at.image(b, image)};
+  return constraint.nearest.of_b ? std::pair(posed_b, posed_a) : std::pair(posed_a, posed_b);
+}
+
 // Inserts the row of unit forces that push two components apart at their closest points, with the
 // torques about the components' positions.
-void insert_row(GapGradient& gradient, Index i, const RowKey& key, const ClosestPoints& points,
-                const Configuration& at) {
+void insert_row(GapGradient& gradient, Index i, const GapConstraint& constraint,
+                const ClosestPoints& points, const Placement& at) {
   const UnitForce unit = unit_force(points);
-  const auto wrench = [&](std::size_t k, Complex force) -> Wrench {
-    return {force, cross(unit.point - at[k].position, force)};
+  const auto insert = [&](const PosedComponent& on, Complex force) {
+    add_wrench(gradient, i, on.component, {force, cross(unit.point - on.pose.position, force)});
   };
-  insert_wrench(gradient, i, key.vertex_of, wrench(key.vertex_of, unit.normal));
-  insert_wrench(gradient, i, key.polygon_of, wrench(key.polygon_of, -unit.normal));
+  const auto [with_vertex, other] = posed_pair(constraint, at);
+  insert(with_vertex, unit.normal);
+  insert(other, -unit.normal);
 }
 
 }  // namespace
@@ -98,6 +117,16 @@ bool is_movable_pair(const Discretisation& discretisation, std::size_t a, std::s
          discretisation[b]->kind == ComponentKind::free_body;
 }
 
+double ConstraintRules::between(const ContactPair& pair, double everywhere) const {
+  const auto own = closer.find(pair);
+  return own == closer.end() ? everywhere : std::min(everywhere, own->second);
+}
+
+Interferences ConstraintRules::find(const PathImages& images) const {
+  return interferences(images.shapes, images.paths,
+                       {{polygons, images.numbered(closer)}, tolerance});
+}
+
 GapConstraints::GapConstraints(const ContactStage& stage, const Discretisation& discretisation,
                                const ContactShapes& shapes, const ConstraintRules& rules)
     : stage_(stage), discretisation_(discretisation), shapes_(shapes), rules_(rules) {}
@@ -123,24 +152,24 @@ ContactResult GapConstraints::resolve(ContactStep step) {
 }
 
 ContactRows GapConstraints::rows(const VectorXd& velocity) {
-  const Configuration end = to_configuration(to_state(stage_.start) + stage_.dt * velocity);
+  const Placement end{to_configuration(to_state(stage_.start.paths) + stage_.dt * velocity),
+                      stage_.end_lattice};
   std::vector<GapConstraint> active = active_constraints(velocity, end);
   const auto m = static_cast<Index>(active.size());
   const GapGradient none(m, velocity.size());
   ContactRows result{VectorXd(m), none, none, {}};
   for (Index i = 0; i < m; ++i) {
     GapConstraint& constraint = active[static_cast<std::size_t>(i)];
-    const RowKey& key = constraint.row.key;
-    const ClosestPoints acting = closest(key, stage_.acting);
-    insert_row(result.force_gradient, i, key, acting, stage_.acting);
+    const ClosestPoints acting = closest(constraint, stage_.acting);
+    insert_row(result.force_gradient, i, constraint, acting, stage_.acting);
     constraint.force_on_a = unit_force(acting);
-    if (key.vertex_of == constraint.b) constraint.force_on_a.normal = -constraint.force_on_a.normal;
+    if (constraint.nearest.of_b) constraint.force_on_a.normal = -constraint.force_on_a.normal;
     result.gap[i] = constraint.gap;
     if (constraint.points) {
-      insert_row(result.gradient, i, key, *constraint.points, end);
+      insert_row(result.gradient, i, constraint, *constraint.points, end);
     } else {
-      insert_wrench(result.gradient, i, constraint.a, constraint.row.derivative.on_a);
-      insert_wrench(result.gradient, i, constraint.b, constraint.row.derivative.on_b);
+      add_wrench(result.gradient, i, constraint.pair.a, constraint.row.derivative.on_a);
+      add_wrench(result.gradient, i, constraint.pair.b, constraint.row.derivative.on_b);
     }
     result.keys.push_back(contact_key(constraint, shapes_.size()));
     constraints_.insert_or_assign(result.keys.back(), constraint);
@@ -150,15 +179,18 @@ ContactRows GapConstraints::rows(const VectorXd& velocity) {
 
 // Each constraint costs a solve: only pairs that are violated at some velocity have constraints.
 std::vector<GapConstraint> GapConstraints::active_constraints(const VectorXd& velocity,
-                                                              const Configuration& end) {
-  const Interferences found =
-      interferences(shapes_, straight_paths(stage_.start, velocity, stage_.dt), rules_.polygons);
-  std::map<ComponentPair, std::vector<GapConstraint>> near;
-  for (const Contact& contact : found.contacts) {
-    const std::size_t a = contact.a, b = contact.b;
-    if (!is_movable_pair(discretisation_, a, b)) continue;
-    if (contact.is_violated()) active_.emplace(a, b);
-    for (const ContactRow& row : contact.rows) near[{a, b}].push_back({a, b, row});
+                                                              const Placement& end) {
+  const PathImages images = path_images(
+      shapes_, straight_paths(stage_.start.paths, velocity, stage_.dt),
+      lattice_step(stage_.start.lattice, stage_.end_lattice), listed_separations * rules_.polygons);
+  std::map<ContactPair, std::vector<GapConstraint>> near;
+  for (const Contact& contact : rules_.find(images).contacts) {
+    const std::optional<ContactPair> pair = images.pair(contact.a, contact.b);
+    if (!pair || !is_movable_pair(discretisation_, pair->a, pair->b)) continue;
+    if (contact.is_violated()) active_.insert(*pair);
+    for (const ContactRow& row : contact.rows) {
+      near[*pair].push_back({*pair, {row.key.vertex_of == contact.b, row.key.vertex}, row});
+    }
   }
   std::vector<GapConstraint> active;
   for (auto& [pair, constraints] : near) {
@@ -167,14 +199,13 @@ std::vector<GapConstraint> GapConstraints::active_constraints(const VectorXd& ve
     };
     if (!active_.contains(pair) && std::ranges::none_of(constraints, is_close)) continue;
     for (GapConstraint& constraint : constraints) measure(constraint, end);
-    if (!is_violated(constraints)) find_missed_minimum(constraints, end);
+    if (!is_violated(constraints)) find_missed_minimum(constraints.front(), end);
     add_earlier(constraints, end);
     if (is_violated(constraints)) active_.insert(pair);
     if (!active_.contains(pair)) continue;
-    keys_[pair].clear();
-    for (const GapConstraint& constraint : constraints) {
-      keys_[pair].push_back(constraint.row.key);
-    }
+    std::vector<PairVertex>& vertices = vertices_[pair];
+    vertices.clear();
+    for (const GapConstraint& constraint : constraints) vertices.push_back(constraint.nearest);
     std::ranges::move(constraints, std::back_inserter(active));
   }
   return active;
@@ -183,26 +214,27 @@ std::vector<GapConstraint> GapConstraints::active_constraints(const VectorXd& ve
 // A pair may have two local minima of the gap whose difference is below the sag of the polygons;
 // the polygons then report only one of them. If the curves are still too close although every
 // reported gap is open, the other minimum is constrained as well.
-void GapConstraints::find_missed_minimum(const std::vector<GapConstraint>& reported,
-                                         const Configuration& end) {
-  RowKey key = reported.front().row.key;
-  const ClosestPoints least = closest_points(curve(key.vertex_of, end), curve(key.polygon_of, end));
-  const double kept = rules_.curves.between(key.vertex_of, key.polygon_of);
-  if (least.gap <= 0.0 || least.gap - kept >= -rules_.polygons.tolerance) return;
-  key.vertex = nearest_vertex(shapes_[key.vertex_of]->polygon, least.parameter_a);
-  keys_[{reported.front().a, reported.front().b}].push_back(key);
+void GapConstraints::find_missed_minimum(const GapConstraint& reported, const Placement& end) {
+  const auto [with_vertex, other] = posed_pair(reported, end);
+  const ClosestPoints least = closest_points(curve(with_vertex.component, with_vertex.pose),
+                                             curve(other.component, other.pose));
+  const double kept = rules_.between(reported.pair, rules_.curves);
+  if (least.gap <= 0.0 || least.gap - kept >= -rules_.tolerance) return;
+  const Polygon& polygon = shapes_[with_vertex.component]->polygon;
+  const Index vertex = nearest_vertex(polygon, least.parameter_a);
+  vertices_[reported.pair].push_back({reported.nearest.of_b, vertex});
 }
 
 // A pair keeps the constraints that it had, as long as the curves have a minimum of the gap there.
 void GapConstraints::add_earlier(std::vector<GapConstraint>& constraints,
-                                 const Configuration& end) const {
-  const auto keys = keys_.find({constraints.front().a, constraints.front().b});
-  if (keys == keys_.end()) return;
-  for (const RowKey& key : keys->second) {
+                                 const Placement& end) const {
+  const auto vertices = vertices_.find(constraints.front().pair);
+  if (vertices == vertices_.end()) return;
+  for (const PairVertex& vertex : vertices->second) {
     // The polygon gap of an earlier constraint is taken to be that of the deepest constraint.
     GapConstraint earlier = *std::ranges::min_element(
         constraints, {}, [](const GapConstraint& present) { return present.row.gap; });
-    earlier.row.key = key;
+    earlier.nearest = vertex;
     measure(earlier, end);
     const auto is_there = [&](const GapConstraint& other) {
       return other.points &&
@@ -215,11 +247,10 @@ void GapConstraints::add_earlier(std::vector<GapConstraint>& constraints,
 }
 
 // Measures a gap by the curves if it agrees with the gap of the polygons; else by the polygons.
-void GapConstraints::measure(GapConstraint& constraint, const Configuration& end) const {
-  const std::size_t a = constraint.a, b = constraint.b;
-  const ClosestPoints points = closest(constraint.row.key, end);
-  const double by_polygons = constraint.row.gap + rules_.polygons.separation.between(a, b);
-  const double kept = rules_.curves.between(a, b);
+void GapConstraints::measure(GapConstraint& constraint, const Placement& end) const {
+  const ClosestPoints points = closest(constraint, end);
+  const double by_polygons = constraint.row.gap + rules_.between(constraint.pair, rules_.polygons);
+  const double kept = rules_.between(constraint.pair, rules_.curves);
   const bool same =
       points.gap > 0.0 && std::abs(points.gap - by_polygons) < polygon_error(constraint);
   constraint.gap = (same ? points.gap : by_polygons) - kept;
@@ -228,28 +259,30 @@ void GapConstraints::measure(GapConstraint& constraint, const Configuration& end
 
 bool GapConstraints::is_violated(const std::vector<GapConstraint>& constraints) const {
   return std::ranges::any_of(constraints, [this](const GapConstraint& constraint) {
-    return constraint.gap < -rules_.polygons.tolerance;
+    return constraint.gap < -rules_.tolerance;
   });
 }
 
 // Bounds the difference between a gap of polygons and of curves: twice the sags, since a vertex may
 // lie beside the closest point; and twice that for safety.
 double GapConstraints::polygon_error(const GapConstraint& constraint) const {
-  return 4.0 * (shapes_[constraint.a]->sag + shapes_[constraint.b]->sag);
-}
-
-SmoothCurve GapConstraints::curve(std::size_t component, const Configuration& at) const {
-  return smooth_curve(*discretisation_[component], at[component]);
+  return 4.0 * (shapes_[constraint.pair.a]->sag + shapes_[constraint.pair.b]->sag);
 }
 
 // Finds the closest points of the curves near a vertex.
-ClosestPoints GapConstraints::closest(const RowKey& key, const Configuration& at) const {
-  const SmoothCurve a = curve(key.vertex_of, at), b = curve(key.polygon_of, at);
-  const double s = parameter(shapes_[key.vertex_of]->polygon, key.vertex);
-  const Polygon& polygon = shapes_[key.polygon_of]->polygon;
+ClosestPoints GapConstraints::closest(const GapConstraint& constraint, const Placement& at) const {
+  const auto [with_vertex, other] = posed_pair(constraint, at);
+  const SmoothCurve a = curve(with_vertex.component, with_vertex.pose),
+                    b = curve(other.component, other.pose);
+  const double s = parameter(shapes_[with_vertex.component]->polygon, constraint.nearest.vertex);
+  const Polygon& polygon = shapes_[other.component]->polygon;
   const Complex in_frame_of_b = std::polar(1.0, -b.orientation) * (a.at(s).value - b.position);
   const Index edge = polygon.closest(in_frame_of_b, std::numeric_limits<double>::infinity()).edge;
   return closest_points_near(a, b, s, parameter(polygon, edge));
+}
+
+SmoothCurve GapConstraints::curve(std::size_t component, const Pose& pose) const {
+  return smooth_curve(*discretisation_[component], pose);
 }
 
 }  // namespace stokesbook

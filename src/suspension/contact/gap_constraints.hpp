@@ -7,8 +7,8 @@
 
 #include "lcp/contact_loop.hpp"
 #include "near_singular/closest_points.hpp"
-#include "stiv/interferences.hpp"
 #include "suspension/bodies/discretised_shape.hpp"
+#include "suspension/contact/path_images.hpp"
 
 namespace stokesbook {
 
@@ -28,15 +28,16 @@ bool is_movable_pair(const Discretisation& discretisation, std::size_t a, std::s
 /// The mean velocity of the step is `known_velocity`, plus `share` times the velocity of the flow
 /// and of contact at `acting`. Velocities are packed by to_state().
 struct ContactStage {
-  double t;              ///< time at which the forces act
-  double dt;             ///< length of the step
-  Configuration start;   ///< configuration at the beginning of the step
-  Configuration acting;  ///< configuration in which forces act and the mobility is evaluated
-  double share;          ///< part of the step during which the forces act, 1 or 1/2
-  Eigen::VectorXd known_velocity;   ///< from the stage before; zero in the first stage
-  const CloserPairs& closer;        ///< pairs that may be closer than the separation
-  int most_iterations;              ///< largest number of linear complementarity problems
-  Eigen::VectorXd free_velocity{};  ///< mean velocity of the step without contact in this stage
+  double t;          ///< time at which the forces act
+  double dt;         ///< length of the step
+  Placement start;   ///< placement at the beginning of the step
+  Placement acting;  ///< placement in which forces act and the mobility is evaluated
+  std::optional<Lattice> end_lattice;  ///< at the end of the step
+  double share;                        ///< part of the step during which the forces act, 1 or 1/2
+  Eigen::VectorXd known_velocity;      ///< from the stage before; zero in the first stage
+  const CloserGaps& closer;            ///< pairs that may be closer than the separation
+  int most_iterations;                 ///< largest number of linear complementarity problems
+  Eigen::VectorXd free_velocity{};     ///< mean velocity of the step without contact in this stage
 };
 
 /// The point and the direction of a contact force.
@@ -45,10 +46,16 @@ struct UnitForce {
   Complex normal;  ///< unit vector, of the force on a
 };
 
+/// A vertex of one of the polygons of a pair.
+struct PairVertex {
+  bool of_b;            ///< whether the vertex belongs to b; else it belongs to a
+  Eigen::Index vertex;  ///< number of the vertex
+};
+
 /// A constraint of a stage: the gap of two components must not be negative.
 struct GapConstraint {
-  std::size_t a,                          ///< a component
-      b;                                  ///< another component, b > a
+  ContactPair pair;                       ///< the components
+  PairVertex nearest;                     ///< vertex near the closest points
   ContactRow row;                         ///< row of the polygons
   double gap = 0.0;                       ///< at the end of the step, minus the separation; length
   std::optional<ClosestPoints> points{};  ///< points of the curves there, if they measure the gap
@@ -57,8 +64,16 @@ struct GapConstraint {
 
 /// The separations of polygons and of curves.
 struct ConstraintRules {
-  ContactRules polygons;  ///< separations of the polygons, with the sags of both
-  Separation curves;      ///< separations of the curves
+  double polygons;    ///< separation of polygons in general, with the sags of both, length
+  double curves;      ///< separation of curves in general, length
+  CloserGaps closer;  ///< separations of pairs that may be closer, of polygons and of curves
+  double tolerance;   ///< tolerance of gaps, length
+
+  /// Returns the separation of a pair, which is `everywhere` in general, length.
+  double between(const ContactPair& pair, double everywhere) const;
+
+  /// Finds the contacts of a step between the paths of images.
+  Interferences find(const PathImages& images) const;
 };
 
 /// The gap functions of a stage and their Jacobian, as the contact loop of chapter 11 requires
@@ -89,22 +104,22 @@ class GapConstraints {
  private:
   ContactRows rows(const Eigen::VectorXd& velocity);
   std::vector<GapConstraint> active_constraints(const Eigen::VectorXd& velocity,
-                                                const Configuration& end);
-  void find_missed_minimum(const std::vector<GapConstraint>& reported, const Configuration& end);
-  void add_earlier(std::vector<GapConstraint>& constraints, const Configuration& end) const;
-  void measure(GapConstraint& constraint, const Configuration& end) const;
+                                                const Placement& end);
+  void find_missed_minimum(const GapConstraint& reported, const Placement& end);
+  void add_earlier(std::vector<GapConstraint>& constraints, const Placement& end) const;
+  void measure(GapConstraint& constraint, const Placement& end) const;
   bool is_violated(const std::vector<GapConstraint>& constraints) const;
   double polygon_error(const GapConstraint& constraint) const;
-  SmoothCurve curve(std::size_t component, const Configuration& at) const;
-  ClosestPoints closest(const RowKey& key, const Configuration& at) const;
+  ClosestPoints closest(const GapConstraint& constraint, const Placement& at) const;
+  SmoothCurve curve(std::size_t component, const Pose& pose) const;
 
   const ContactStage& stage_;
   const Discretisation& discretisation_;
   const ContactShapes& shapes_;
   const ConstraintRules& rules_;
-  std::set<ComponentPair> active_;                     // pairs violated at some velocity
-  std::map<ComponentPair, std::vector<RowKey>> keys_;  // keys of the pairs' constraints so far
-  std::map<ContactKey, GapConstraint> constraints_;    // returned so far
+  std::set<ContactPair> active_;                             // pairs violated at some velocity
+  std::map<ContactPair, std::vector<PairVertex>> vertices_;  // of the pairs' constraints so far
+  std::map<ContactKey, GapConstraint> constraints_;          // returned so far
 };
 
 }  // namespace stokesbook

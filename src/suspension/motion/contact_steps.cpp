@@ -115,8 +115,12 @@ ContactSteps::ContactSteps(const SuspensionSolver& solver, const OutputSchedule&
       contact_(solver),
       stages_(solver, contact_, instants, statistics) {}
 
-std::optional<CloserPairs> ContactSteps::admit_start(const Configuration& start) const {
-  return contact_.admit_start(start);
+std::optional<CloserGaps> ContactSteps::admit_start(const TimePoint& start) const {
+  return contact_.admit_start(placement(start.t, configuration_of(solver_, start.state)));
+}
+
+Placement ContactSteps::placement(double t, const Configuration& paths) const {
+  return {paths, lattice_at(solver_.scene(), t)};
 }
 
 StepStart ContactSteps::begin(const RunState& state, TimedSolution flow) {
@@ -137,22 +141,24 @@ double ContactSteps::planned_end(const RunState& state) const {
 // Halves the step until its first stage is resolved.
 StepStart ContactSteps::begin(const RunState& state, TimedSolution flow, double t_end) {
   const double t = state.now.t;
-  const Configuration here = configuration_of(solver_, state.now.state);
+  const Placement here = placement(t, configuration_of(solver_, state.now.state));
   t_end = end_within_scene(solver_.scene(), flow.solution, t, t_end, settings_.dt_min);
   if (time_.tolerance) {
     // Contact forces act where the bodies are at the beginning: bodies must not move far past each
     // other in a step.
     const double dt = t_end - t;
-    const double reach = contact_.relative_displacement(here, to_rate(flow.solution), dt);
+    const double reach = contact_.relative_displacement(here, to_rate(flow.solution), dt,
+                                                        lattice_at(solver_.scene(), t_end));
     if (reach > 1.0) t_end = t + std::max(dt / reach, settings_.dt_min);
   }
-  const VectorXd at_rest = VectorXd::Zero(3 * std::ssize(here));
+  const VectorXd at_rest = VectorXd::Zero(3 * std::ssize(here.paths));
   StageSolution stage{std::move(flow)};
   while (true) {
     const ContactStage problem{.t = t,
                                .dt = t_end - t,
                                .start = here,
                                .acting = here,
+                               .end_lattice = lattice_at(solver_.scene(), t_end),
                                .share = 1.0,
                                .known_velocity = at_rest,
                                .closer = *state.closer,
@@ -227,17 +233,20 @@ ContactSteps::SecondStage ContactSteps::second_stage(const RunState& state, cons
   const VectorXd first_rate =
       with_tracers(solver_, first.velocity, start.contact->solution, state.now.state);
   const VectorXd predicted = state.now.state + dt * first_rate;
-  const Configuration acting = admitted_configuration(solver_, start.t_end, predicted);
-  const ContactStage problem{.t = start.t_end,
-                             .dt = dt,
-                             .start = configuration_of(solver_, state.now.state),
-                             .acting = acting,
-                             .share = 0.5,
-                             .known_velocity = 0.5 * first.velocity,
-                             .closer = *state.closer,
-                             .most_iterations = most_iterations - first.iterations};
+  const Placement acting =
+      placement(start.t_end, admitted_configuration(solver_, start.t_end, predicted));
+  const ContactStage problem{
+      .t = start.t_end,
+      .dt = dt,
+      .start = placement(state.now.t, configuration_of(solver_, state.now.state)),
+      .acting = acting,
+      .end_lattice = acting.lattice,
+      .share = 0.5,
+      .known_velocity = 0.5 * first.velocity,
+      .closer = *state.closer,
+      .most_iterations = most_iterations - first.iterations};
   StageSolution stage =
-      stages_.resolve(problem, {instants_.solve_stage({start.t_end, state.now.t}, acting)});
+      stages_.resolve(problem, {instants_.solve_stage({start.t_end, state.now.t}, acting.paths)});
   auto& [outcome, solution, cost, seconds] = stage.contact;
   const VectorXd& velocity = outcome.result.velocity;  // the mean of both stages
   VectorXd rate = first_rate;
@@ -246,8 +255,8 @@ ContactSteps::SecondStage ContactSteps::second_stage(const RunState& state, cons
   }
   rate.head(velocity.size()) = velocity;
   const VectorXd end = state.now.state + dt * rate;
-  const double distance =
-      largest_distance(stage.flow.solution.discretisation, acting, configuration_of(solver_, end));
+  const double distance = largest_distance(stage.flow.solution.discretisation, acting.paths,
+                                           configuration_of(solver_, end));
   return {with_contact(with_solve(info, stage.flow.solution, stage.flow.seconds), outcome, cost,
                        seconds),
           std::move(outcome), std::move(rate), end - predicted,
@@ -266,14 +275,14 @@ TakenStep ContactSteps::finish(const RunState& state, const StepStart& start,
                                : with_tracers(solver_, first.result.velocity,
                                               start.contact->solution, state.now.state);
   const VectorXd end = state.now.state + info.dt * rate;
-  const Configuration configuration = admitted_configuration(solver_, start.t_end, end);
-  const std::string pairs = contact_.too_close(configuration, *state.closer);
+  const Placement there = placement(start.t_end, admitted_configuration(solver_, start.t_end, end));
+  const std::string pairs = contact_.too_close(there, *state.closer);
   if (!pairs.empty()) {
     throw ConfigurationError(at_time(start.t_end) +
                              "a step leads to gaps below contact.minimum_separation: " + pairs);
   }
   stages_.relax(info.contacts > 0);
-  TimedSolution flow = instants_.solve({start.t_end, state.now.t}, configuration);
+  TimedSolution flow = instants_.solve({start.t_end, state.now.t}, there.paths);
   const double duration = second ? 0.5 * info.dt : info.dt;
   info = with_forces(info, first, duration);
   if (second) info = with_forces(info, last, duration);
@@ -289,7 +298,7 @@ TakenStep ContactSteps::finish(const RunState& state, const StepStart& start,
   return {{state.now, {start.t_end, end, {}}},
           std::move(memory),
           std::move(flow),
-          contact_.update_closer(*state.closer, configuration),
+          contact_.update_closer(*state.closer, there),
           info,
           std::move(error),
           std::move(warning)};

@@ -20,7 +20,7 @@ class ContactSteps : public Steps {
                InstantSolver& instants, RunStatistics& statistics);
 
   /// Finds the pairs that begin closer than the separation.
-  std::optional<CloserPairs> admit_start(const Configuration& start) const override;
+  std::optional<CloserGaps> admit_start(const TimePoint& start) const override;
 
   /// Resolves the contact with which a step begins. The contact depends on the length of the step:
   /// a step whose contact cannot be resolved is halved.
@@ -42,6 +42,7 @@ class ContactSteps : public Steps {
     double scaled_error;     // largest distance of a boundary point, over what is allowed
   };
   double planned_end(const RunState& state) const;
+  Placement placement(double t, const Configuration& paths) const;
   double shorten(double t, double t_end, double factor, const std::string& reason);
   StepStart begin(const RunState& state, TimedSolution flow, double t_end);
   SecondStage second_stage(const RunState& state, const StepStart& start, const StepInfo& info);

@@ -21,8 +21,8 @@ class PassingTest {
   /// In a periodic cell, pairs of a component and an image are tested, too.
   ///
   /// @param  closest  least gap at the start, length: shorter steps need no search
-  /// @param  lattice  in a periodic cell, with the start of the images in the cell, and the end of
-  ///                  the same images
+  /// @param  start    poses on paths
+  /// @param  lattice  of the step, in a periodic cell
   /// @return          a message that names the first such pair; empty if there is none
   /// @par Cost        O(components) where all steps are shorter than the least gap; else that of
   ///                  interferences()

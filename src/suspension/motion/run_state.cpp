@@ -45,24 +45,26 @@ std::vector<int> to_counts(const VectorXd& numbers) {
   return {counts.begin(), counts.end()};
 }
 
-// Packs three numbers for each pair: both components, and the gap.
-VectorXd to_numbers(const CloserPairs& pairs) {
-  VectorXd numbers(static_cast<Eigen::Index>(3 * pairs.size()));
+// Packs five numbers for each pair: both components, the image of the second one, and the gap.
+VectorXd to_numbers(const CloserGaps& closer) {
+  VectorXd numbers(static_cast<Eigen::Index>(5 * closer.size()));
   Eigen::Index i = 0;
-  for (const auto& [pair, gap] : pairs) {
-    numbers.segment<3>(i) << static_cast<double>(pair.first), static_cast<double>(pair.second), gap;
-    i += 3;
+  for (const auto& [pair, gap] : closer) {
+    numbers.segment<5>(i) << static_cast<double>(pair.a), static_cast<double>(pair.b),
+        static_cast<double>(pair.image.first), static_cast<double>(pair.image.second), gap;
+    i += 5;
   }
   return numbers;
 }
 
-CloserPairs to_pairs(const VectorXd& numbers) {
-  CloserPairs pairs;
-  for (Eigen::Index i = 0; i < numbers.size(); i += 3) {
-    pairs[{static_cast<std::size_t>(numbers[i]), static_cast<std::size_t>(numbers[i + 1])}] =
-        numbers[i + 2];
+CloserGaps to_closer(const VectorXd& numbers) {
+  CloserGaps closer;
+  for (Eigen::Index i = 0; i < numbers.size(); i += 5) {
+    const auto component = [&](Eigen::Index j) { return static_cast<std::size_t>(numbers[i + j]); };
+    const auto index = [&](Eigen::Index j) { return static_cast<std::int64_t>(numbers[i + j]); };
+    closer[{component(0), component(1), {index(2), index(3)}}] = numbers[i + 4];
   }
-  return pairs;
+  return closer;
 }
 
 void add_steps(History& history, const StepMemory& memory) {
@@ -140,7 +142,7 @@ std::pair<RunState, RunStatistics> from_checkpoint(const Checkpoint& checkpoint,
   const History& history = checkpoint.history;
   state.now = {checkpoint.t, checkpoint.state, {}};
   state.steps = find_steps(history);
-  if (state.closer) state.closer = to_pairs(history.at("closer"));
+  if (state.closer) state.closer = to_closer(history.at("closer"));
   state.last_written = history.at("written")[0];
 
   auto& [totals, resolution, errors, bound] = statistics;

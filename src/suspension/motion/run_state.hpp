@@ -28,9 +28,9 @@ struct RunState {
   TimePoint now;       ///< time and configuration, without a rate
   StepMemory steps{};  ///< memory of the steps so far
   SolveMemory solves;  ///< before the solve at `now`, which a resumed run takes again
-  std::optional<CloserPairs> closer{};  ///< pairs that began closer than contact allows, and their
-                                        ///< gaps; none in scenes without contact
-  double last_written = -1.0;           ///< latest written time; -1: none
+  std::optional<CloserGaps> closer{};  ///< pairs that began closer than contact allows, and their
+                                       ///< gaps; none in scenes without contact
+  double last_written = -1.0;          ///< latest written time; -1: none
 };
 
 /// Packs a run for its checkpoint. Counts of work are left out: a resumed run takes the step under

@@ -73,7 +73,7 @@ void Simulation::continue_from(const Checkpoint& checkpoint) {
   statistics_ = std::move(statistics);
   state_.now = std::move(reached.now);
   state_.last_written = reached.last_written;
-  state_.closer = steps_->admit_start(configuration_of(solver_, state_.now.state));
+  state_.closer = steps_->admit_start(state_.now);
 }
 
 // [run]
@@ -97,7 +97,7 @@ void Simulation::solve_once() {
 // Solves for the flow where the run is: at its start, after a resume, or after a restart.
 TimedSolution Simulation::solve_flow() {
   const Configuration configuration = configuration_of(solver_, state_.now.state);
-  if (statistics_.totals.steps == 0) state_.closer = steps_->admit_start(configuration);
+  if (statistics_.totals.steps == 0) state_.closer = steps_->admit_start(state_.now);
   TimedSolution flow = instants_.solve({time(), time()}, configuration);
   state_.solves = std::move(flow.before);
   return flow;

@@ -110,10 +110,10 @@ StepInfo with_forces(StepInfo step, const ContactOutcome& outcome, double durati
   return step;
 }
 
-std::set<std::pair<ContactParty, ContactParty>> pairs_in_contact(
+std::set<std::tuple<ContactParty, ContactParty, std::array<std::int64_t, 2>>> pairs_in_contact(
     const std::vector<ContactForce>& forces) {
-  std::set<std::pair<ContactParty, ContactParty>> pairs;
-  for (const ContactForce& force : forces) pairs.emplace(force.a, force.b);
+  std::set<std::tuple<ContactParty, ContactParty, std::array<std::int64_t, 2>>> pairs;
+  for (const ContactForce& force : forces) pairs.emplace(force.a, force.b, force.image);
   return pairs;
 }
 

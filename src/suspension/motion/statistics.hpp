@@ -2,7 +2,7 @@
 
 #include <chrono>
 #include <set>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include <Eigen/Core>
@@ -63,8 +63,8 @@ StepInfo with_costs_of(StepInfo step, const StepInfo& rejected);
 /// the contact forces act for the given duration.
 StepInfo with_forces(StepInfo step, const ContactOutcome& outcome, double duration);
 
-/// Lists the pairs with a contact force between them, each once.
-std::set<std::pair<ContactParty, ContactParty>> pairs_in_contact(
+/// Lists the pairs with a contact force between them, each once, with the image of the second one.
+std::set<std::tuple<ContactParty, ContactParty, std::array<std::int64_t, 2>>> pairs_in_contact(
     const std::vector<ContactForce>& forces);
 
 }  // namespace stokesbook

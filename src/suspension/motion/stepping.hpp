@@ -31,12 +31,12 @@ struct StepStart {
 
 /// A step that was taken.
 struct TakenStep {
-  Step step;                            ///< from state to state
-  StepMemory memory;                    ///< for the next step
-  TimedSolution end;                    ///< the flow at the end
-  std::optional<CloserPairs> closer{};  ///< pairs that are still closer than contact allows
-  StepInfo info;                        ///< results and cost of the step
-  Eigen::VectorXd error;                ///< estimated, of the state
+  Step step;                           ///< from state to state
+  StepMemory memory;                   ///< for the next step
+  TimedSolution end;                   ///< the flow at the end
+  std::optional<CloserGaps> closer{};  ///< pairs that are still closer than contact allows
+  StepInfo info;                       ///< results and cost of the step
+  Eigen::VectorXd error;               ///< estimated, of the state
   /// Tells, once in a run, what has cut steps to a tenth of time.dt or less; otherwise empty. There
   /// is no warning in runs with time.tolerance, since their steps have no given length.
   std::string warning{};
@@ -51,7 +51,7 @@ class Steps {
   /// contact.
   ///
   /// @throws ConfigurationError as SuspensionContact::admit_start() does
-  virtual std::optional<CloserPairs> admit_start(const Configuration&) const { return {}; }
+  virtual std::optional<CloserGaps> admit_start(const TimePoint&) const { return {}; }
 
   /// Plans a step from a state with the given flow, which is without contact forces, and resolves
   /// the contact with which the step begins.
