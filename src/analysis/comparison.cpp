@@ -37,13 +37,16 @@ constexpr std::array compared{
     Compared{"torque_ratio", &Run::rheology, {"torque_ratio"}},
     Compared{"order_parameter", &Run::rheology, {"order_parameter"}},
     Compared{"stresslet", &Run::rheology, {"s11", "s12"}},
-    Compared{"uniform_velocity", &Run::rheology, {"uniform_x", "uniform_y"}}};
+    Compared{"uniform_velocity", &Run::rheology, {"uniform_x", "uniform_y"}},
+    Compared{"viscosity", &Run::rheology, {"viscosity"}},
+    Compared{"normal_stress_difference", &Run::rheology, {"normal_stress_difference"}},
+    Compared{"particle_pressure", &Run::rheology, {"particle_pressure"}}};
 
 /// Returns the values of a quantity, a row for each of its columns, a column for each row of the
 /// table; without values if the scene does not define the quantity.
 Eigen::ArrayXXd values_of(const Run& run, const Compared& quantity) {
   const NumberTable& table = run.*quantity.table;
-  if (table.names.empty()) return {};
+  if (!table.has(quantity.columns[0])) return {};  // of walls or of a periodic cell
   const Eigen::Index components = quantity.columns[1] == nullptr ? 1 : 2;
   Eigen::ArrayXXd values(components, std::ssize(table.columns[0]));
   for (Eigen::Index k = 0; k < components; ++k) {

@@ -78,8 +78,9 @@ std::map<std::string, std::string> draw_run(const Run& run,
   const auto add = [&](const std::string& name, const study::Plot& plot) {
     if (!plot.lines.empty()) pictures[name + ".svg"] = study::draw_plot(plot);
   };
-  for (const char* name : {"dissipation", "torque_ratio", "order_parameter"}) {
-    add(name, plot_of(run.rheology, name, {name}, false));
+  for (const char* name : {"dissipation", "torque_ratio", "order_parameter", "viscosity",
+                           "normal_stress_difference", "particle_pressure"}) {
+    if (run.rheology.has(name)) add(name, plot_of(run.rheology, name, {name}, false));
   }
   add("stresslet", plot_of(run.rheology, "stresslet", {"s11", "s12"}, false));
   add("gaps", plot_of(run.steps, "least gap", {"min_gap"}, true));

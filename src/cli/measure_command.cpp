@@ -42,9 +42,9 @@ int measure_run(const MeasureOptions& options) {
   const Run run = read_run(options.run);
   const Scene& scene = run.scene;
   if (scene.bodies.empty()) throw RecordError(options.run, "has no bodies to measure");
-  if (scene.cell) {
+  if (scene.cell && !options.box.empty()) {
     throw RecordError(options.run,
-                      "has a periodic cell, whose images measure does not support yet");
+                      "has a periodic cell, in which all bodies and images count: remove --box");
   }
   const std::filesystem::path& out = options.out.empty() ? options.run : options.out;
   const BodyFrames frames = read_frames(run, options.from, options.to);
@@ -62,7 +62,7 @@ int measure_run(const MeasureOptions& options) {
   const Measurement near = neighbours(scene, frames);
   write(near);
   write(orientations(scene, frames, options.bins));
-  if (options.box.empty() && !is_enclosed(scene)) {
+  if (options.box.empty() && !is_enclosed(scene) && !scene.cell) {
     std::printf("pair correlation and profiles of an unbounded fluid require --box\n");
     return exit_done;
   }
@@ -71,6 +71,10 @@ int measure_run(const MeasureOptions& options) {
   // The last of the gaps that neighbours() counts is a mean radius.
   const double longest = options.longest > 0.0 ? options.longest : 8.0 * near.at.back();
   write(pair_correlation(scene, frames, box, longest, options.bins));
+  if (scene.cell) {
+    std::printf("profiles require walls: on the mean a periodic cell is the same everywhere\n");
+    return exit_done;
+  }
   const Across across = options.across == "x"   ? Across::x
                         : options.across == "y" ? Across::y
                                                 : Across::radius;

@@ -55,6 +55,22 @@ void print_motions(const Frame& frame) {
   }
 }
 
+void print_cell(const Rheology& rheology) {
+  const auto text = [](double number) { return short_number(number, 12); };
+  const auto& [stress, contact, viscosity, pressure, by_traction] = *rheology.cell;
+  std::printf("mean stress of the cell: 11 %s, 12 %s, 21 %s, 22 %s\n", text(stress(0, 0)).c_str(),
+              text(stress(0, 1)).c_str(), text(stress(1, 0)).c_str(), text(stress(1, 1)).c_str());
+  std::printf("viscosity %s, first normal stress difference %s, particle pressure %s\n",
+              text(viscosity).c_str(), text(rheology.cell->normal_stress_difference()).c_str(),
+              text(pressure).c_str());
+  std::printf("dissipation that the bodies add: %s from stresslets and loads, %s from tractions\n",
+              text(rheology.dissipation).c_str(), text(by_traction).c_str());
+  if (const Complex mean = rheology.uniform_velocity; !std::isnan(mean.real())) {
+    std::printf("mean velocity of the cell beside [flow]: (%s, %s)\n", text(mean.real()).c_str(),
+                text(mean.imag()).c_str());
+  }
+}
+
 void print_matrix_errors(const MatrixErrors& errors) {
   std::printf(
       "matrices: asymmetry of resistance %s, of mobility %s; error of their product %s; all "

@@ -38,6 +38,9 @@ void print_plan(const std::string& title, const std::vector<std::string>& plan);
 /// Prints the velocities of all bodies with 15 digits.
 void print_motions(const Frame& frame);
 
+/// Prints the mean stress over a periodic cell and what follows from it, the dissipation twice.
+void print_cell(const Rheology& rheology);
+
 /// Prints how far resistance and mobility matrix are from symmetric, and inverse to each other.
 void print_matrix_errors(const MatrixErrors& errors);
 

@@ -33,11 +33,18 @@ std::string table_row(const auto&... entries) {
 
 }  // namespace
 
+std::string continued(std::string_view line, std::string_view more) {
+  line.remove_suffix(1);  // the end of the line
+  return std::string(line) + ',' + std::string(more);
+}
+
 std::string trajectory_rows(const Frame& frame) {
   std::string rows;
   for (std::size_t k = 0; k < frame.bodies.size(); ++k) {
     const auto& [position, orientation, velocity, omega, force, torque] = frame.bodies[k];
-    rows += table_row(frame.t, k, position, orientation, velocity, omega, force, torque);
+    const std::string row =
+        table_row(frame.t, k, position, orientation, velocity, omega, force, torque);
+    rows += frame.cell ? continued(row, table_row(frame.cell->bodies[k].position)) : row;
   }
   return rows;
 }
@@ -51,8 +58,16 @@ std::string wall_rows(const Frame& frame) {
 }
 
 std::string rheology_row(const Frame& frame) {
-  const auto& [dissipation, torque_ratio, order_parameter, stresslet, uniform] = frame.rheology;
-  return table_row(frame.t, dissipation, torque_ratio, order_parameter, stresslet, uniform);
+  const auto& [dissipation, torque_ratio, order_parameter, stresslet, uniform, cell] =
+      frame.rheology;
+  const std::string row =
+      table_row(frame.t, dissipation, torque_ratio, order_parameter, stresslet, uniform);
+  if (!cell) return row;
+  const Eigen::Matrix2d &stress = cell->stress, &contact = cell->contact_stress;
+  return continued(
+      row, table_row(stress(0, 0), stress(0, 1), stress(1, 0), stress(1, 1), cell->viscosity,
+                     cell->normal_stress_difference(), cell->particle_pressure,
+                     cell->dissipation_by_traction, contact(0, 0), contact(0, 1), contact(1, 1)));
 }
 
 std::string contact_rows(const Frame& frame, bool in_cell) {
@@ -85,6 +100,10 @@ std::string step_row(const StepInfo& step) {
                    step.contacts, step.min_gap, step.residual, step.velocity_error, step.step_error,
                    step.seconds, step.kkt_residual, step.force_imbalance, step.torque_imbalance,
                    step.contact_power, step.energy_injected);
+}
+
+bool NumberTable::has(std::string_view name) const {
+  return std::ranges::find(names, name) != names.end();
 }
 
 const std::vector<double>& NumberTable::operator[](std::string_view name) const {

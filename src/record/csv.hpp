@@ -14,11 +14,18 @@ namespace stokesbook {
 
 /// Header of `trajectory.csv`.
 inline constexpr std::string_view trajectory_header = "t,body,x,y,theta,ux,uy,omega,fx,fy,torque\n";
+/// More columns of `trajectory.csv`, in scenes with a periodic cell.
+inline constexpr std::string_view cell_trajectory_columns = "wrapped_x,wrapped_y\n";
 /// Header of `walls.csv`.
 inline constexpr std::string_view walls_header = "t,wall,fx,fy,torque\n";
 /// Header of `rheology.csv`.
 inline constexpr std::string_view rheology_header =
     "t,dissipation,torque_ratio,order_parameter,s11,s12,uniform_x,uniform_y\n";
+/// More columns of `rheology.csv`, in scenes with a periodic cell.
+inline constexpr std::string_view cell_rheology_columns =
+    "stress_11,stress_12,stress_21,stress_22,viscosity,normal_stress_difference,"
+    "particle_pressure,dissipation_by_traction,contact_stress_11,contact_stress_12,"
+    "contact_stress_22\n";
 /// Header of `contacts.csv`, and the one in scenes with a periodic cell.
 inline constexpr std::string_view contacts_header = "t,a,b,x,y,nx,ny,force,gap\n",
                                   cell_contacts_header =
@@ -34,6 +41,9 @@ inline constexpr std::string_view steps_header =
     "step_error,seconds,kkt_residual,force_imbalance,torque_imbalance,contact_power,"
     "energy_injected\n";
 /// @}
+
+/// Continues a line, a header or a row, by another one.
+std::string continued(std::string_view line, std::string_view more);
 
 /// @name Rows of the tables, with the columns of the headers
 /// @{
@@ -60,6 +70,9 @@ struct NumberTable {
   std::filesystem::path path;                ///< file, for messages
   std::vector<std::string> names;            ///< header
   std::vector<std::vector<double>> columns;  ///< one for each name, all of one length
+
+  /// Returns whether the table has a column with a name.
+  bool has(std::string_view name) const;
 
   /// Returns the column with a name.
   /// @throws RecordError when the table has no such column

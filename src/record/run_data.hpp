@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "periodic/lattice.hpp"
 #include "record/field.hpp"
 #include "trapezoid/plane.hpp"
@@ -31,6 +33,20 @@ struct WallLoad {
   double torque = 0.0;       ///< torque on the fluid about position, counter-clockwise, force
 };
 
+/// The rheology of a periodic cell.
+struct CellRheology {
+  /// Mean stress; rows: the direction of the force, columns: that of the normal; force / length^2.
+  Eigen::Matrix2d stress = Eigen::Matrix2d::Zero();
+  /// Share of the forces of contact and repulsion themselves in the mean stress, force / length^2.
+  Eigen::Matrix2d contact_stress = Eigen::Matrix2d::Zero();
+  double viscosity = 0.0;          ///< not a number in a flow without strain; force time / length^2
+  double particle_pressure = 0.0;  ///< beside the fluid's mean pressure, force / length^2
+  double dissipation_by_traction = 0.0;  ///< Rheology::dissipation, from the tractions
+
+  /// Returns the first normal stress difference, force / length^2.
+  double normal_stress_difference() const { return stress(0, 0) - stress(1, 1); }
+};
+
 /// Properties of the whole suspension; a property that the scene does not define is not a number.
 struct Rheology {
   static constexpr double undefined = std::numeric_limits<double>::quiet_NaN();  ///< not a number
@@ -41,6 +57,7 @@ struct Rheology {
   Complex stresslet{undefined, undefined};  ///< S_11 + i S_12, sum over all components, force
   Complex uniform_velocity{undefined, undefined};  ///< velocity of the fluid at infinity beside the
                                                    ///< background, if it is solved for
+  std::optional<CellRheology> cell{};              ///< none in scenes without a periodic cell
 };
 
 /// A body or wall in contact.

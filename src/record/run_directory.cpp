@@ -48,8 +48,11 @@ std::vector<GrowingFile> growing_files(const RunContents& contents) {
     files.push_back({name, std::string(head)});
   };
   add(steps_name, steps_header);
-  if (contents.csv) add(trajectory_name, trajectory_header);
-  if (contents.csv) add(rheology_name, rheology_header);
+  const auto add_in_cells = [&](const char* name, std::string_view head, std::string_view more) {
+    add(name, contents.cell ? continued(head, more) : std::string(head));
+  };
+  if (contents.csv) add_in_cells(trajectory_name, trajectory_header, cell_trajectory_columns);
+  if (contents.csv) add_in_cells(rheology_name, rheology_header, cell_rheology_columns);
   if (contents.csv && !contents.outlines.walls.empty()) add(walls_name, walls_header);
   if (contents.csv && contents.contacts) {
     add(contacts_name, contents.cell ? cell_contacts_header : contacts_header);

@@ -26,7 +26,7 @@ struct RunContents {
   bool svg = false;       ///< configuration.svg of the latest frame, and pictures of its fields
   bool html = false;      ///< animation.html
   bool fields = false;    ///< fields.pvd and one .vti for each frame
-  bool cell = false;      ///< the scene has a periodic cell: contacts.csv has columns for images
+  bool cell = false;      ///< with csv: more columns in trajectory, rheology and contacts.csv
   bool contacts = false;  ///< with csv: contacts.csv; with vtk: contacts.pvd, a .vtp for each frame
   bool tracers = false;   ///< with csv: tracers.csv; with vtk: tracers.pvd, a .vtp for each frame
   bool nodes = false;     ///< with csv: nodes.csv

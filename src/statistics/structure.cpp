@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "record/atomic_file.hpp"
+#include "suspension/bodies/cell.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/solver/rheology.hpp"
@@ -97,6 +98,55 @@ void add_stresslets(BodyFrames& frames, const Run& run) {
   }
 }
 
+MatrixXd correlation_in_region(const Scene& scene, const BodyFrames& frames, const RegionBox& box,
+                               const Bins& bins, double longest) {
+  constexpr Index samples = 5000;
+  double clearance = longest;
+  for (const Body& body : scene.bodies) {
+    clearance = std::min(clearance, sampled(body).x.cwiseAbs().minCoeff());
+  }
+  const Region region = region_of(scene, box, clearance, samples);
+  Eigen::RowVectorXd expected = Eigen::RowVectorXd::Zero(bins.count);
+  add_pairs(bins, expected, std::vector<Complex>(region.points.begin(), region.points.end()));
+  expected /= pairs_of(samples);
+  MatrixXd g = zeros(frames, bins.count);
+  for (std::size_t f = 0; f < frames.t.size(); ++f) {
+    std::vector<Complex> inside;
+    for (const BodyState& body : frames.bodies[f]) {
+      if (region.is_in_box(body.position)) inside.push_back(body.position);
+    }
+    auto row = g.row(static_cast<Index>(f));
+    add_pairs(bins, row, inside);
+    row = row.cwiseQuotient(expected * pairs_of(inside.size())).eval();
+  }
+  return g;
+}
+
+// Counts each body and all images of each other one: uniform points have pi (r_2^2 - r_1^2) / V of
+// the images of each other point at distances from r_1 to r_2.
+MatrixXd correlation_in_cell(const Scene& scene, const BodyFrames& frames, const Bins& bins,
+                             double longest) {
+  MatrixXd g = zeros(frames, bins.count);
+  for (std::size_t f = 0; f < frames.t.size(); ++f) {
+    const Lattice lattice = lattice_of(*cell_at(scene, frames.t[f]));
+    const std::vector<BodyState>& bodies = frames.bodies[f];
+    const double expected =
+        std::numbers::pi * bins.width * bins.width / lattice.area() * pairs_of(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Complex apart = bodies[i].position - bodies[j].position;
+        for (const Complex w : lattice.vectors_into_disk(apart, 0.0, longest)) {
+          const double distance = std::abs(apart + w);
+          // (r + width)^2 - r^2 in widths, at the beginning r of the bin
+          const double rings = 2.0 * std::floor(distance / bins.width) + 1.0;
+          bins.add(g.row(static_cast<Index>(f)), distance, 1.0 / (expected * rings));
+        }
+      }
+    }
+  }
+  return g;
+}
+
 }  // namespace
 
 BodyFrames read_frames(const Run& run, double from, double to) {
@@ -121,26 +171,9 @@ BodyFrames read_frames(const Run& run, double from, double to) {
 
 Measurement pair_correlation(const Scene& scene, const BodyFrames& frames, const RegionBox& box,
                              double longest, int number) {
-  constexpr Index samples = 5000;
   const Bins bins(0.0, longest, number);
-  double clearance = longest;
-  for (const Body& body : scene.bodies) {
-    clearance = std::min(clearance, sampled(body).x.cwiseAbs().minCoeff());
-  }
-  const Region region = region_of(scene, box, clearance, samples);
-  Eigen::RowVectorXd expected = Eigen::RowVectorXd::Zero(number);
-  add_pairs(bins, expected, std::vector<Complex>(region.points.begin(), region.points.end()));
-  expected /= pairs_of(samples);
-  MatrixXd g = zeros(frames, number);
-  for (std::size_t f = 0; f < frames.t.size(); ++f) {
-    std::vector<Complex> inside;
-    for (const BodyState& body : frames.bodies[f]) {
-      if (region.is_in_box(body.position)) inside.push_back(body.position);
-    }
-    auto row = g.row(static_cast<Index>(f));
-    add_pairs(bins, row, inside);
-    row = row.cwiseQuotient(expected * pairs_of(inside.size())).eval();
-  }
+  const MatrixXd g = scene.cell ? correlation_in_cell(scene, frames, bins, longest)
+                                : correlation_in_region(scene, frames, box, bins, longest);
   Measurement result{"pair_correlation", "r", bins.centres()};
   result.add("g", frames.t, g);
   return result;
@@ -165,11 +198,15 @@ Measurement neighbours(const Scene& scene, const BodyFrames& frames) {
   for (int k = -16; k <= 0; ++k) limits.push_back(mean_radius * std::pow(10.0, 0.25 * k));
   MatrixXd at_bodies = zeros(frames, std::ssize(limits)), at_walls = at_bodies;
   for (std::size_t f = 0; f < frames.t.size(); ++f) {
+    const std::optional<PeriodicCell> cell = cell_at(scene, frames.t[f]);
     for (std::size_t k = 0; k < bodies; ++k) {
-      configuration[k] = {frames.bodies[f][k].position, frames.bodies[f][k].orientation};
+      const BodyState& body = frames.bodies[f][k];
+      configuration[k] = {body.position, body.orientation};
+      if (cell)
+        configuration[k].position = lattice_of(*cell).wrap(body.position, cell_centre(scene));
     }
     for (const auto& [a, b, closest, shift] :
-         gaps_within(configuration, discretisation, limits.back())) {
+         gaps_within(configuration, discretisation, limits.back(), cell)) {
       if (a >= bodies) continue;  // the gap of two walls
       MatrixXd& numbers = b < bodies ? at_bodies : at_walls;
       for (std::size_t k = 0; k < limits.size(); ++k) {

@@ -27,7 +27,8 @@ BodyFrames read_frames(const Run& run, double from, double to);
 /// points that are uniform in the region. Pairs near the edge of the region have fewer partners in
 /// both numbers, so that g = 1 for uniform points at every distance and in every region. In a
 /// region between walls, these points keep a clearance from the walls: the least distance of a
-/// body's boundary from its position.
+/// body's boundary from its position. In a periodic cell there is no region: all images of each
+/// other body count, and a body's own images, which form the lattice, do not.
 /// @param  longest  end of the last bin, length
 /// @par Cost        O(N^2) per written time, and 1.2e7 distances
 Measurement pair_correlation(const Scene& scene, const BodyFrames& frames, const RegionBox& box,
@@ -37,7 +38,7 @@ Measurement pair_correlation(const Scene& scene, const BodyFrames& frames, const
 /// coordination number as a function of h, whose increments are the distribution of the gaps.
 ///
 /// The values of h are powers of ten, from 1e-4 to 1 mean radii, four in each decade. Walls are
-/// left out unless walls_stay().
+/// left out unless walls_stay(). In a periodic cell, images count, also those of the body itself.
 Measurement neighbours(const Scene& scene, const BodyFrames& frames);
 
 /// Measures the distribution of the directions of long_axis() from 0 to pi, one per radian. Returns

@@ -155,17 +155,34 @@ AxisValues read_seeds(const TableReader& root) {
   return read_values(*node);
 }
 
+/// Returns the columns of a header, whose line has an end.
+std::vector<std::string_view> columns_in(std::string_view header) {
+  header.remove_suffix(1);
+  return split(header, ',');
+}
+
+/// Returns the columns that a table has only in scenes with a periodic cell.
+std::vector<std::string_view> cell_columns(std::string_view table) {
+  if (table == "rheology.csv") return columns_in(cell_rheology_columns);
+  if (table == "trajectory.csv") return columns_in(cell_trajectory_columns);
+  return {};
+}
+
 void read_column(const TableReader& table, std::string_view header, Quantity& quantity) {
-  header.remove_suffix(1);  // the end of the line
-  const std::vector<std::string_view> columns = split(header, ',');
+  std::vector<std::string_view> columns = columns_in(header);
   const std::string expected = "a column of " + quantity.table;
   const Node& node = table.at("column", expected);
   quantity.column = value_as<std::string>(node, expected);
-  if (std::ranges::find(columns, quantity.column) == columns.end()) {
+  const auto is_listed = [&] { return std::ranges::count(columns, quantity.column) > 0; };
+  quantity.needs_cell = !is_listed();
+  std::ranges::copy(cell_columns(quantity.table), std::back_inserter(columns));
+  if (!is_listed()) {
+    const std::string more = joined(cell_columns(quantity.table), ",");
     const auto meant = nearest_word(quantity.column, columns);
     fail(node, "is not " + expected +
                    (meant ? ", did you mean '" + std::string(*meant) + "'?"
-                          : "; its columns are " + std::string(header)));
+                          : "; its columns are " + joined(columns_in(header), ",") +
+                                (more.empty() ? "" : ", and in scenes with [cell] " + more)));
   }
   for (const std::string_view item : {"body", "wall"}) {
     if (columns[1] == item) {

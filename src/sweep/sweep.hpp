@@ -41,6 +41,7 @@ struct Quantity {
   double from = 0.0;        ///< beginning of the average, time
   double to = 0.0;          ///< end of the average, time
   std::string where;        ///< place in the sweep file
+  bool needs_cell = false;  ///< whether only scenes with a periodic cell have the column
 };
 
 /// A sweep: a scene, values for some of its keys, and quantities to collect from the runs.

@@ -35,6 +35,9 @@ void require_quantity(const Quantity& quantity, const SceneFile& file) {
   if (quantity.table == "steps.csv" && !scene.time) {
     fail(quantity, "the scene has no [time], hence no steps");
   }
+  if (quantity.needs_cell && !scene.cell) {
+    fail(quantity, "the scene has no [cell], hence no column '" + quantity.column + "'");
+  }
   const double t_final = scene.time ? scene.time->t_final : 0.0;
   if (quantity.reduction == Reduction::average && quantity.to > t_final) {
     fail(quantity, "the average ends at t = " + short_number(quantity.to, 17) +

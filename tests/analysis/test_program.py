@@ -35,6 +35,28 @@ t_final = 20.0
 dt_write = 0.5
 """
 
+CELL = """
+[flow]
+kind = "shear"
+rate = 1.0
+[cell]
+vectors = [[2.0, 0.0], [0.0, 2.0]]
+[solver]
+tolerance = 1e-6
+[[bodies]]
+shape = { kind = "ellipse", semi_axes = [0.5, 0.3] }
+position = [0.5, 0.8]
+n_nodes = "auto"
+[[bodies]]
+shape = { kind = "circle", radius = 0.3 }
+position = [0.1, -0.2]
+n_nodes = "auto"
+[time]
+t_final = 1.0
+dt = 0.25
+method = "heun"
+"""
+
 # Scenes and overrides for the search of settings, with the accuracy that is asked for. Containers
 # and crowds are smaller than those of the shipped scenes, so that all settings can be tried.
 SEARCHED = {
@@ -136,6 +158,44 @@ class Program(unittest.TestCase):
             xml.parse(name)
         self.assertIn("there is no body 1", stokes("plot", first, "--bodies", "0,1", code=1).stderr)
         self.assertIn("must be the folder of a run", stokes("plot", self.folder, code=3).stderr)
+
+    def test_a_periodic_cell(self):
+        (self.folder / "cell.toml").write_text(CELL)
+        out = self.folder / "cell"
+        run(self.folder / "cell.toml", out)
+        rows = numpy.genfromtxt(out / "trajectory.csv", names=True, delimiter=",")
+        # Wrapped places are images, of which no other one is nearer to the origin.
+        t, shift_y = rows["t"], rows["y"] - rows["wrapped_y"]
+        k = shift_y / 2
+        j = (rows["x"] - rows["wrapped_x"] - k * 2 * t) / 2
+        numpy.testing.assert_allclose([j, k], numpy.round([j, k]), atol=1e-12)
+        self.assertTrue(numpy.any(j != 0) or numpy.any(k != 0))
+        wrapped = rows["wrapped_x"] + 1j * rows["wrapped_y"]
+        for a, b in itertools.product(range(-3, 4), repeat=2):
+            other = wrapped + 2 * a + 2 * b * (t + 1j)
+            self.assertTrue(numpy.all(abs(wrapped) <= abs(other) + 1e-12))
+        rheology = numpy.genfromtxt(out / "rheology.csv", names=True, delimiter=",")
+        numpy.testing.assert_allclose(rheology["normal_stress_difference"],
+                                      rheology["stress_11"] - rheology["stress_22"])
+        numpy.testing.assert_allclose(rheology["viscosity"], rheology["stress_12"])  # no torques
+        numpy.testing.assert_allclose(rheology["viscosity"], 1 + rheology["dissipation"] / 4)
+        numpy.testing.assert_allclose(rheology["dissipation_by_traction"], rheology["dissipation"],
+                                      rtol=1e-5)
+        self.assertIn("viscosity", stokes("compare", out, out).stdout)
+        self.assertIn(f"{out / 'particle_pressure.svg'}\n", stokes("plot", out).stdout)
+        measured = stokes("measure", out, "--longest", 3).stdout
+        self.assertIn("on the mean a periodic cell is the same everywhere", measured)
+        means = (out / "means.csv").read_text()
+        self.assertRegex(means, "\nnormal_stress_difference,")
+        self.assertRegex(means, "\nnematic_order,")
+        for name in "pair_correlation", "neighbours", "orientations":
+            self.assertTrue((out / f"{name}.csv").exists())
+        self.assertFalse((out / "profile.csv").exists())
+        refused = stokes("measure", out, "--box=0,0,1,1", code=3).stderr
+        self.assertIn("all bodies and images count: remove --box", refused)
+        solved = stokes("solve", self.folder / "cell.toml", "--out", self.folder / "once").stdout
+        self.assertIn(f"viscosity {rheology['viscosity'][0]:.9g}"[:-2], solved)
+        self.assertIn("from tractions\n", solved)
 
     def test_refusals(self):
         out = self.folder / "out"

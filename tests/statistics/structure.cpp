@@ -22,6 +22,15 @@ Scene container(double radius, double inner = 0.0) {
   return scene;
 }
 
+// A unit cell in the shear u = (y, 0).
+Scene sheared_cell() {
+  Scene scene;
+  scene.flow = ShearFlow{1.0};
+  scene.cell.emplace();
+  scene.cell->vectors << 1.0, 0.0, 0.0, 1.0;
+  return scene;
+}
+
 Scene with_bodies(Scene scene, const Shape& shape, std::size_t count) {
   scene.bodies.assign(count, Body{.shape = shape});
   return scene;
@@ -135,6 +144,71 @@ BOOST_AUTO_TEST_CASE(neighbours_in_a_row) {
   Scene moving = row;
   moving.walls[0].motion = TranslatingWall{1.0};
   BOOST_TEST(neighbours(moving, frames).quantities.size() == 1u);
+}
+
+// A cell in a shear, at the written time 0.3: places are those of paths, which may lie in other
+// cells. The numbers of distances in each bin are those of a sum over many lattice vectors.
+BOOST_AUTO_TEST_CASE(correlation_in_a_sheared_cell) {
+  const Scene cell = with_bodies(sheared_cell(), Circle{0.1}, 3);
+  const Complex a1 = 1.0, a2{0.3, 1.0};
+  const std::vector<Complex> places{{0.2, 0.1}, {-0.3, 0.35}, {0.15, -0.4}};
+  const BodyFrames frames{
+      {0.3}, {{at(places[0] + 3.0 * a1 - 2.0 * a2), at(places[1] + 5.0 * a2), at(places[2])}}};
+  const double longest = 2.3, width = longest / 10.0;
+  std::vector<double> counts(10);
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      for (int j = -9; j <= 9; ++j) {
+        for (int k = -9; k <= 9; ++k) {
+          const double r = std::abs(places[a] - places[b] + static_cast<double>(j) * a1 +
+                                    static_cast<double>(k) * a2);
+          if (r < longest) counts[static_cast<std::size_t>(r / width)] += 1.0;
+        }
+      }
+    }
+  }
+  const Measurement g = pair_correlation(cell, frames, {}, longest, 10);
+  for (std::size_t k = 0; k < 10; ++k) {
+    const double uniform = 3.0 * 2.0 * pi * g.at[k] * width;  // three pairs, and the area is one
+    BOOST_TEST(g.means[0][k].mean == counts[k] / uniform, boost::test_tools::tolerance(1e-12));
+  }
+}
+
+// Uniform points have g = 1 at every distance, also beyond the size of the cell.
+BOOST_AUTO_TEST_CASE(uniform_points_in_a_cell) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform;
+  BodyFrames frames;
+  for (int k = 0; k < 100; ++k) {
+    frames.t.push_back(0.1 * k);
+    frames.bodies.emplace_back();
+    const Complex a2{0.1 * k, 1.0};
+    for (int i = 0; i < 20; ++i) {
+      frames.bodies.back().push_back(at(uniform(random) + uniform(random) * a2));
+    }
+  }
+  const Scene cell = with_bodies(sheared_cell(), Circle{1e-3}, 20);
+  const Measurement g = pair_correlation(cell, frames, {}, 1.5, 5);
+  for (const auto& [mean, error, interval] : g.means[0]) {
+    BOOST_TEST(std::abs(mean - 1.0) < 4.0 * error, mean);
+    BOOST_TEST(error < 0.02);
+  }
+}
+
+// A disk of the diameter 0.9 has two images at the distance 1, two at |(0.3, 1)| and two at
+// |(0.7, 1)|.
+BOOST_AUTO_TEST_CASE(images_as_neighbours) {
+  const Scene cell = with_bodies(sheared_cell(), Circle{0.45}, 1);
+  const BodyFrames frames{{0.3}, {{at({-4.0, 7.0})}}};
+  const Measurement found = neighbours(cell, frames);
+  for (std::size_t k = 0; k < found.at.size(); ++k) {
+    double images = 0.0;
+    for (const Complex w : {Complex{1.0}, Complex{0.3, 1.0}, Complex{0.7, 1.0}}) {
+      if (std::abs(w) - 0.9 < found.at[k]) images += 2.0;
+    }
+    BOOST_TEST(found.means[0][k].mean == images, found.at[k]);
+  }
+  BOOST_TEST(found.means[0].back().mean == 6.0);
 }
 
 // The long axis of the ellipses is their second one.

@@ -167,7 +167,10 @@ BOOST_AUTO_TEST_CASE(quantities) {
        "trajectory.csv, walls.csv"},
       {quantity("table = 'rheology.csv'\ncolumn = 'torque'\n"),
        "5:10: collect[0].column = \"torque\": is not a column of rheology.csv; its columns are "
-       "t,dissipation,torque_ratio,order_parameter,s11,s12,uniform_x,uniform_y"},
+       "t,dissipation,torque_ratio,order_parameter,s11,s12,uniform_x,uniform_y, and in "
+       "scenes with [cell] stress_11,stress_12,stress_21,stress_22,viscosity,"
+       "normal_stress_difference,particle_pressure,dissipation_by_traction,contact_stress_11,"
+       "contact_stress_12,contact_stress_22"},
       {quantity("table = 'rheology.csv'\ncolumn = 's21'\ntake = 'last'\n"),
        "5:10: collect[0].column = \"s21\": is not a column of rheology.csv, did you mean 's11'?"},
       {quantity("table = 'rheology.csv'\n"),
@@ -190,6 +193,11 @@ BOOST_AUTO_TEST_CASE(quantities) {
        "3:1: collect x: the scene has 1 bodies, numbered from 0; there is no number 1"},
       {quantity("table = 'walls.csv'\ncolumn = 'fx'\nwall = 0\ntake = 'last'\n"),
        "3:1: collect fx: the scene has 0 walls, numbered from 0; there is no number 0"},
+      {quantity("table = 'rheology.csv'\ncolumn = 'viscosity'\ntake = 'last'\n"),
+       "3:1: collect viscosity: the scene has no [cell], hence no column 'viscosity'"},
+      {quantity("table = 'trajectory.csv'\nbody = 0\ncolumn = 'wrapped_z'\ntake = 'last'\n"),
+       "6:10: collect[0].column = \"wrapped_z\": is not a column of trajectory.csv, did you mean "
+       "'wrapped_x'?"},
       {quantity("table = 'rheology.csv'\ncolumn = 's11'\ntake = 'last'\n[[collect]]\n"
                 "table = 'rheology.csv'\ncolumn = 's11'\ntake = 'least'\n"),
        "7:1: collect[1]: would give the tables two columns 's11'; set another name"},

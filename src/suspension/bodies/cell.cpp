@@ -58,13 +58,13 @@ std::optional<PeriodicCell> cell_at(const Scene& scene, double t) {
                       gradient.carried({a(1, 0), a(1, 1)}, s), scene.cell->pressure_gradient};
 }
 
-Complex image_velocity(const Scene& scene, Complex vector) {
-  return gradient_of(scene)(vector);
-}
-
 std::optional<Lattice> lattice_at(const Scene& scene, double t) {
   const std::optional<PeriodicCell> cell = cell_at(scene, t);
   return cell ? std::optional(lattice_of(*cell)) : std::nullopt;
+}
+
+Complex image_velocity(const Scene& scene, Complex vector) {
+  return gradient_of(scene)(vector);
 }
 
 std::vector<PathShift> path_shifts(const Scene& scene, const PeriodicCell& cell,

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "suspension/bodies/components.hpp"
-#include "suspension/bodies/gaps.hpp"
 
 namespace stokesbook {
 
@@ -105,13 +104,11 @@ void add(Load& load, Complex force, Complex offset) {
   load.torque += cross(offset, force);
 }
 
-// Adds to both components of each pair the force strength exp(-gap / range) at the closest points,
-// along the line through them: forces and torques of the two are equal and opposite. In a periodic
-// cell, the force on an image of b acts on b.
+// Adds the repulsion to both components of each pair: forces and torques of the two are equal and
+// opposite. In a periodic cell, the force on an image of b acts on b.
 void add_repulsion(std::vector<Load>& loads, const Scene& scene,
                    const Discretisation& discretisation, const StepTime& time,
                    Configuration configuration) {
-  const auto [strength, range] = *scene.repulsion;
   const std::optional<PeriodicCell> cell = cell_at(scene, time.t);
   if (cell) {
     const Lattice lattice = lattice_of(*cell);
@@ -119,11 +116,8 @@ void add_repulsion(std::vector<Load>& loads, const Scene& scene,
       pose.position = lattice.wrap(pose.position, cell_centre(scene));
     }
   }
-  for (const auto& [a, b, closest, shift] :
-       gaps_within(configuration, discretisation, longest_repulsion * range, cell)) {
-    const Complex apart = closest.point_b - closest.point_a;
-    if (apart == 0.0) continue;  // curves that touch are refused
-    const Complex force = strength * std::exp(-closest.gap / range) * apart / std::abs(apart);
+  for (const auto& [gap, force] : repelled_pairs(scene, discretisation, configuration, cell)) {
+    const auto& [a, b, closest, shift] = gap;
     const auto act = [&](std::size_t k, Complex own, Complex point) {
       if (component_of(scene, k).kind != ComponentKind::free_body) return;
       add(loads[k], own, point - configuration[k].position);
@@ -175,6 +169,22 @@ Forcing scaled(double factor, Forcing forcing) {
     torque *= factor;
   }
   return forcing;
+}
+
+std::vector<RepelledPair> repelled_pairs(const Scene& scene, const Discretisation& discretisation,
+                                         const Configuration& configuration,
+                                         const std::optional<PeriodicCell>& cell) {
+  std::vector<RepelledPair> pairs;
+  if (!scene.repulsion) return pairs;
+  const auto [strength, range] = *scene.repulsion;
+  for (const Gap& gap :
+       gaps_within(configuration, discretisation, longest_repulsion * range, cell)) {
+    const Complex apart = gap.points.point_b - gap.points.point_a;
+    if (apart == 0.0) continue;  // curves that touch are refused
+    const double force = strength * std::exp(-gap.points.gap / range);
+    pairs.push_back({gap, force * apart / std::abs(apart)});
+  }
+  return pairs;
 }
 
 Forcing forcing_at(const Scene& scene, const Discretisation& discretisation, const StepTime& time,

@@ -9,6 +9,7 @@
 #include "suspension/bodies/cell.hpp"
 #include "suspension/bodies/configuration.hpp"
 #include "suspension/bodies/discretised_shape.hpp"
+#include "suspension/bodies/gaps.hpp"
 
 namespace stokesbook {
 
@@ -54,10 +55,26 @@ Forcing scaled(double factor, Forcing forcing);
 /// Returns the centroid of the area that a curve encloses, length.
 Complex area_centroid(const Curve& curve);
 
+/// Two components that repel each other.
+struct RepelledPair {
+  Gap gap;        ///< closest points, at which the forces act
+  Complex force;  ///< on b, or its image, force / length; -force acts on a
+};
+
+/// Finds the repulsion of a scene in a configuration: strength exp(-gap / range), along the line
+/// through the closest points. Returns no pairs in scenes without repulsion.
+///
+/// @param  cell  all components repeat with its lattice, and the configuration is that of their
+///               images in the cell; none: nothing repeats
+/// @par Cost     that of gaps_within()
+std::vector<RepelledPair> repelled_pairs(const Scene& scene, const Discretisation& discretisation,
+                                         const Configuration& configuration,
+                                         const std::optional<PeriodicCell>& cell);
+
 /// Computes the forcing of a scene at a time in a configuration.
 ///
 /// @param  discretisation  determines areas and gaps, to the accuracy of the trapezoid rule
-/// @par Cost  O(nodes); with repulsion, that of gaps_within()
+/// @par Cost  O(nodes); with repulsion, that of repelled_pairs()
 Forcing forcing_at(const Scene& scene, const Discretisation& discretisation, const StepTime& time,
                    const Configuration& configuration);
 

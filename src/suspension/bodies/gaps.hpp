@@ -32,8 +32,8 @@ std::vector<Gap> find_gaps(const Configuration& configuration, const Discretisat
 /// Finds the gaps of all pairs whose bounding circles are nearer to each other than a distance.
 ///
 /// @param  cell  as for find_gaps()
-/// @return    in ascending order of the pairs
-/// @par Cost  N_a N_b distances per close pair
+/// @return       in ascending order of the pairs
+/// @par Cost     N_a N_b distances per close pair
 std::vector<Gap> gaps_within(const Configuration& configuration,
                              const Discretisation& discretisation, double distance,
                              const std::optional<PeriodicCell>& cell = {});

@@ -169,7 +169,7 @@ void Simulation::write(const TimePoint& point, const Solution& solution,
     frame.tracers.assign(tracers.begin(), tracers.end());
     if (solver_.scene().output.nodes) frame.nodes = node_values(solver_, solution);
     if (!rheometer_) rheometer_.emplace(solver_);
-    frame.rheology = (*rheometer_)(solution);
+    frame.rheology = (*rheometer_)(solution, contacts);
     if (solver_.scene().output.fields) {
       EstimatedField found = estimated_field(solver_, solution);
       frame.field = std::move(found.field);

@@ -11,6 +11,7 @@
 #include "stress/dissipation.hpp"
 #include "stress/stresslet.hpp"
 #include "suspension/bodies/background_flow.hpp"
+#include "suspension/solver/cell_rheology.hpp"
 
 namespace stokesbook {
 
@@ -156,7 +157,8 @@ double Rheometer::excess_dissipation(const Solution& solution,
   return power;
 }
 
-Rheology Rheometer::operator()(const Solution& solution) const {
+Rheology Rheometer::operator()(const Solution& solution,
+                               const std::vector<ContactForce>& contacts) const {
   const Scene& scene = solver_.scene();
   Rheology rheology;
   rheology.order_parameter = order_parameter(solution.instant.configuration);
@@ -176,6 +178,7 @@ Rheology Rheometer::operator()(const Solution& solution) const {
     if (forces_balance(flow.problem())) {
       rheology.dissipation = excess_dissipation(solution, stresslets);
     }
+    if (scene.cell) rheology.cell = cell_rheology(solver_, solution, rheology.stresslet, contacts);
   }
   if (!std::isnan(rheology.dissipation)) {
     rheology.dissipation += slip_power(flow.problem(), [&](const ComplexVector& nodes) {

@@ -34,6 +34,7 @@ std::optional<double> long_axis(const Curve& curve);
 /// - Stresslet, in an unbounded fluid: the sum over bodies and walls, by body_stresslet().
 /// - Uniform velocity, in an unbounded fluid: the velocity at infinity, if it is an unknown; in a
 ///   periodic cell the mean velocity, if it is.
+/// - In a periodic cell, all of cell_rheology().
 ///
 /// In a linear flow the mean stress of the suspension in an area A is
 /// \f$ -pI + 2\mu E + \sum_kS_k/A \f$ (07.16).
@@ -47,9 +48,12 @@ class Rheometer {
   explicit Rheometer(const SuspensionSolver& solver);
 
   /// Measures all quantities that the scene defines.
+  ///
+  /// @param  contacts  contact forces that are part of the loads of the solution
   /// @par Cost  O(n) for n nodes in all, and the derivatives at nodes of walls that deform and of
-  /// bodies with slip
-  Rheology operator()(const Solution& solution) const;
+  /// bodies with slip; in a periodic cell, those at all nodes
+  Rheology operator()(const Solution& solution,
+                      const std::vector<ContactForce>& contacts = {}) const;
 
  private:
   double order_parameter(const Configuration& configuration) const;
