@@ -11,6 +11,7 @@
 #include "folder.hpp"
 #include "record/atomic_file.hpp"
 #include "record/checkpoint.hpp"
+#include "record/csv.hpp"
 #include "record/vtk.hpp"
 #include "sample_run.hpp"
 
@@ -213,6 +214,20 @@ BOOST_AUTO_TEST_CASE(resuming_drops_what_followed_the_checkpoint) {
     if (name.ends_with(".svg")) text = saved_files.at(name);
   }
   BOOST_TEST((files == saved_files));
+}
+
+// In a periodic cell, contacts.csv has two more columns.
+BOOST_AUTO_TEST_CASE(contacts_with_images) {
+  ContactForce contact{{false, 2}, {false, 0}, {0.5, 0.25}, 1.0, 3.0, 0.125};
+  contact.image = {-1, 4};
+  const Frame frame{.t = 2.0, .bodies = {}, .walls = {}, .contacts = {contact}};
+  BOOST_TEST(contact_rows(frame) == "2,body:2,body:0,0.5,0.25,1,0,3,0.125\n");
+  BOOST_TEST(contact_rows(frame, true) == "2,body:2,body:0,0.5,0.25,1,0,3,0.125,-1,4\n");
+  const Folder folder;
+  RunContents contents = sample_contents();
+  contents.cell = true;
+  create(folder, contents);
+  BOOST_TEST(read(folder.at("contacts.csv")) == cell_contacts_header);
 }
 
 BOOST_AUTO_TEST_CASE(contacts_are_cut_back_too) {

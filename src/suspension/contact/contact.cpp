@@ -121,8 +121,8 @@ SuspensionContact::SuspensionContact(const SuspensionSolver& solver)
   polygon_separation_ = separation_ + 2.0 * sag;
 }
 
-// Finds the gaps of pairs that forces can move apart, and all overlaps. Overlaps are measured by the
-// polygons, gaps by the curves.
+// Finds the gaps of pairs that forces can move apart, and all overlaps. Overlaps are measured by
+// the polygons, gaps by the curves.
 std::vector<std::pair<ContactPair, double>> SuspensionContact::gaps(
     const Placement& placement) const {
   const Discretisation& discretisation = solver_.discretisation();
@@ -259,7 +259,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
   outcome.forces =
       contact_forces(solver_.scene(), result, constraints, rules, stage.acting.lattice);
   outcome.unresolved = unresolved_pairs(outcome, constraints, solver_.scene().solver.tolerance);
-  // A force F on a acts as -F on the image of b, which the lattice carries by w from the component b.
+  // A force F on a acts as -F on the image of b, at the distance w of b and with its own velocity.
   double torque_of_images = 0.0;
   if (const auto lattice = lattice_step(stage.start.lattice, stage.end_lattice)) {
     for (const ContactForce& contact : outcome.forces) {

@@ -24,8 +24,8 @@ struct Imbalance {
 /// a component, or the torque on a component over its radius.
 /// @param  force   3K numbers: force and torque about its position of each of K components
 /// @param  acting  configuration in which they act
-/// @param  torque  net torque of forces that balance: w x F for a force F on a component by the image
-///                 of another one that is moved by w
+/// @param  torque  net torque of forces that balance: the sum of w x F over the forces F that images
+///                 exert, each moved by its lattice vector w
 Imbalance imbalance(const Eigen::VectorXd& force, const Configuration& acting,
                     const ContactShapes& shapes, double torque = 0.0);
 
@@ -53,6 +53,9 @@ struct ContactOutcome {
 /// the whole suspension and the gaps of the curves. A gap with a force is one separation wide to a
 /// part in 1e5, or up to 1.016 separations if polygons and curves disagree on which points are the
 /// closest. No state with too_close() pairs is accepted.
+///
+/// In a periodic cell, a component also keeps apart from the images of others and from its own.
+/// path_images() adds their paths, so that chapters 10 and 11 know no lattice.
 class SuspensionContact {
  public:
   /// Prepares the polygons of a scene with [contact]. The solver must outlive this.

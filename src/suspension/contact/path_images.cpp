@@ -1,5 +1,6 @@
-// Adds the paths of images to those of the components in a periodic cell. The search for contact
-// (chapter 10) then finds all pairs, and knows no lattice; each pair is kept under one name.
+// Adds the paths of images to those of the components in a periodic cell: the search for contact
+// among all paths (chapter 10) then finds every pair, without a lattice. Keeps one of the names
+// under which it finds a pair (chapter 14).
 #include "suspension/contact/path_images.hpp"
 
 #include <algorithm>
