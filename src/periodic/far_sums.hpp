@@ -37,6 +37,7 @@ struct FarSums {
 /// over the near images would be useless for large m, because almost all digits cancel.
 /// @param  radius  R > 0, length
 /// @param  order   p >= 1
+/// @par Accuracy   rounding, also after the binomials of FarOperator, @ref claim_14_1
 /// @par Cost       p operations for each of some 100 vectors, for more vectors in elongated cells
 FarSums far_sums(const Lattice& lattice, double radius, int order);
 
