@@ -26,8 +26,8 @@ struct Continuation {
 Continuation find_continuation(const std::filesystem::path& out, const Scene& scene,
                                const std::string& text);
 
-/// Places the bodies and walls of a scene, and in a periodic cell the lattice, where another run has
-/// written them; all else is kept.
+/// Places the bodies and walls of a scene, and in a periodic cell the lattice, where another run
+/// has written them; all else is kept.
 ///
 /// @param  path  folder of a run with tables
 /// @param  time  a written time of the run; none: the last one

@@ -25,8 +25,8 @@ std::string animation_head(const std::string& title, const Outlines& outlines);
 /// @return  HTML, one line: `[t, bodies, walls, contacts]` as JSON. A body is
 ///          `[x, y, theta, ux, uy, omega, fx, fy, torque]`, a wall `[x, y, theta, fx, fy, torque]`,
 ///          a contact `[a, b, x, y, force, gap]`, where a and b are ContactParty::id(); with a
-///          periodic cell also `[cx, cy, ax, ay, bx, by]`, its centre and the vectors of its lattice
-///          with twelve digits, and bodies have the velocities of their images in the cell
+///          periodic cell also `[cx, cy, ax, ay, bx, by]`, its centre and the vectors of its
+///          lattice with twelve digits, and bodies have the velocities of their images in the cell
 /// @throws std::invalid_argument when a number is not finite, since JSON cannot represent it
 std::string animation_frame(const Frame& frame);
 

@@ -54,8 +54,8 @@ std::string trajectory_rows(const Frame& frame);
 std::string wall_rows(const Frame& frame);
 /// Writes one line; undefined values are `nan`.
 std::string rheology_row(const Frame& frame);
-/// Writes one line for each contact; a and b are `body:3` or `wall:0`. In a periodic cell, each line
-/// ends with the image of b.
+/// Writes one line for each contact; a and b are `body:3` or `wall:0`. In a periodic cell, each
+/// line ends with the image of b.
 std::string contact_rows(const Frame& frame, bool in_cell = false);
 /// Writes one line for each tracer.
 std::string tracer_rows(const Frame& frame);

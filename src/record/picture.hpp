@@ -21,8 +21,8 @@ struct BodyPath {
 /// the first axis of its frame, and an arrow shows its velocity. Contact forces are lines from the
 /// bodies to the points where the forces act; the width grows with the force. Walls are outlines; y
 /// points upwards. Tracers are dots. The edge of a periodic cell is an outline, and images of
-/// bodies at this edge are grey; see in_cell(). Each path has a colour of its own, and the number of its body
-/// at its beginning.
+/// bodies at this edge are grey; see in_cell(). Each path has a colour of its own, and the number
+/// of its body at its beginning.
 /// @param  title  shown above the picture; may be empty
 /// @throws std::invalid_argument when outlines and frame do not match, or have no component
 std::string draw_configuration(const Frame& frame, const Outlines& outlines,

@@ -323,9 +323,9 @@ inline constexpr double default_step_tolerance = 1e-6;
 /// jump when contacts begin or end.
 inline constexpr double default_contact_step_tolerance = 1e-3;
 
-/// Largest ratio of solver.tolerance to time.tolerance. With larger ratios, the errors of velocities
-/// would determine the estimated errors of steps, and shorten the steps until a run takes a hundred
-/// times the work.
+/// Largest ratio of solver.tolerance to time.tolerance. With larger ratios, the errors of
+/// velocities would determine the estimated errors of steps, and shorten the steps until a run
+/// takes a hundred times the work.
 inline constexpr double most_solver_over_step = 100.0;
 
 /// Settings for the time steps of a run.

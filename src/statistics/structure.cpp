@@ -202,8 +202,8 @@ Measurement neighbours(const Scene& scene, const BodyFrames& frames) {
     for (std::size_t k = 0; k < bodies; ++k) {
       const BodyState& body = frames.bodies[f][k];
       configuration[k] = {body.position, body.orientation};
-      if (cell)
-        configuration[k].position = lattice_of(*cell).wrap(body.position, cell_centre(scene));
+      if (!cell) continue;
+      configuration[k].position = lattice_of(*cell).wrap(body.position, cell_centre(scene));
     }
     for (const auto& [a, b, closest, shift] :
          gaps_within(configuration, discretisation, limits.back(), cell)) {

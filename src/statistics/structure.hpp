@@ -46,7 +46,8 @@ Measurement neighbours(const Scene& scene, const BodyFrames& frames);
 Measurement orientations(const Scene& scene, const BodyFrames& frames, int bins);
 
 /// Computes the nematic order of the long axes at each time, \f$ |\langle e^{2i\theta}\rangle| \f$:
-/// 1 for parallel axes, of the size \f$ 1/\sqrt N \f$ for N independent ones; nan without long axes.
+/// 1 for parallel axes, of the size \f$ 1/\sqrt N \f$ for N independent ones; nan without long
+/// axes.
 std::vector<double> nematic_order(const Scene& scene, const BodyFrames& frames);
 
 /// The variable of a profile.
@@ -57,8 +58,8 @@ enum class Across {
 };
 
 /// Measures profiles across the region: the part of the area that bodies cover, and the mean
-/// velocity of the bodies in it, along x and y, or along the radius about the middle of the region's
-/// box and the azimuth.
+/// velocity of the bodies in it, along x and y, or along the radius about the middle of the
+/// region's box and the azimuth.
 ///
 /// If the frames have stresslets, the profiles include the particle stress: each bin's part of the
 /// stresslets of all bodies over its area, where the stresslet of a body is spread evenly over the

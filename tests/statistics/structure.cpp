@@ -96,8 +96,8 @@ BOOST_AUTO_TEST_CASE(regions) {
 }
 
 // In every bin of every region, uniform points have g = 1, up to four standard errors and the error
-// of the reference. Without the correction for edges g falls to zero: so it does in a region that is
-// wider than that of the points.
+// of the reference. Without the correction for edges g falls to zero: so it does in a region that
+// is wider than that of the points.
 BOOST_AUTO_TEST_CASE(uniform_points_have_no_correlation) {
   const BodyFrames frames = random_frames(1.0, 3.0, 60, 150);
   const Scene ring = with_bodies(container(3.0, 1.0), Circle{1e-3}, 60);

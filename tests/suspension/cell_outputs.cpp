@@ -114,7 +114,8 @@ BOOST_AUTO_TEST_CASE(fields_repeat) {
   }
 }
 
-// The integrals of the tractions at the nodes are the loads of the bodies, wherever their nodes lie.
+// The integrals of the tractions at the nodes are the loads of the bodies, wherever their nodes
+// lie.
 BOOST_AUTO_TEST_CASE(tractions_have_the_loads_as_integrals) {
   Scene made = two_bodies({{0.7, -0.4}, 0.3});
   made.bodies[0].held = true;

@@ -92,8 +92,8 @@ Matrix2d stress_over_edges(const Solved& solved, Complex a1, Complex a2) {
   return sum / std::abs(cross(a1, a2));
 }
 
-// A quadrature over the fluid in a cell with one disk: Gauss's rule and the trapezoid rule in a ring
-// about the disk, and a grid along the lattice vectors for the rest, with a smooth cut-off.
+// A quadrature over the fluid in a cell with one disk: Gauss's rule and the trapezoid rule in a
+// ring about the disk, and a grid along the lattice vectors for the rest, with a smooth cut-off.
 struct RingAndGrid {
   ComplexVector points;
   std::vector<double> weights;
@@ -240,8 +240,8 @@ BOOST_AUTO_TEST_CASE(quadrature_over_the_fluid) {
   BOOST_TEST(std::abs(pressure) > 1e-3);
 }
 
-// The means over a period of the lattice, from runs: equal steps integrate periodic functions almost
-// exactly. The disk does not leave its place.
+// The means over a period of the lattice, from runs: equal steps integrate periodic functions
+// almost exactly. The disk does not leave its place.
 BOOST_AUTO_TEST_CASE(period_of_a_sheared_array) {
   const std::array<double, 3> rows[] = {{0.3, 1.6853874693389, -0.4836994105976},
                                         {0.5, 2.6508437234253, -0.4687534250203}};

@@ -24,8 +24,8 @@ struct Imbalance {
 /// a component, or the torque on a component over its radius.
 /// @param  force   3K numbers: force and torque about its position of each of K components
 /// @param  acting  configuration in which they act
-/// @param  torque  net torque of forces that balance: the sum of w x F over the forces F that images
-///                 exert, each moved by its lattice vector w
+/// @param  torque  net torque of forces that balance: the sum of w x F over the forces F that
+///                 images exert, each moved by its lattice vector w
 Imbalance imbalance(const Eigen::VectorXd& force, const Configuration& acting,
                     const ContactShapes& shapes, double torque = 0.0);
 

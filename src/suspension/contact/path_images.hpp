@@ -27,8 +27,8 @@ using CloserGaps = std::map<ContactPair, double>;
 /// Names a pair of a scene for messages, by name_pair() or name_image_pair().
 std::string name_contact_pair(const Scene& scene, const ContactPair& pair);
 
-/// The paths of all components in a step; in a periodic cell, also those of the images that may come
-/// near the components, so that a search among these paths finds all pairs.
+/// The paths of all components in a step; in a periodic cell, also those of the images that may
+/// come near the components, so that a search among these paths finds all pairs.
 struct PathImages {
   /// A path that belongs to a component, or to an image of the component.
   struct Image {

@@ -87,8 +87,8 @@ struct GapRequirement {
 /// Chooses a component's nodes for its shape and its gaps.
 ///
 /// Nodes crowd at every gap that the nodes of the shape do not resolve, over a width equal to the
-/// depth of the gap, unless a cluster nearby suffices. Nodes are equidistant if at most 1.3 times as
-/// many equidistant nodes suffice.
+/// depth of the gap, unless a cluster nearby suffices. Nodes are equidistant if at most 1.3 times
+/// as many equidistant nodes suffice.
 ///
 /// The number of graded nodes is \f$ \ln(10^5/\varepsilon)/r \f$, where r is the least
 /// graded_depth() of all gaps, and of a shape that requires `shape_nodes` nodes because of

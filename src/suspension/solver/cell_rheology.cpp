@@ -71,8 +71,8 @@ Matrix2d mean_stress(const Scene& scene, const Solution& solution, Complex stres
   return sum / cell_area;
 }
 
-// Returns the symmetric part of -1/V sum F (x) (c_a - c_b - w). In mean_stress(), the torques of the
-// pairs balance the other part.
+// Returns the symmetric part of -1/V sum F (x) (c_a - c_b - w). In mean_stress(), the torques of
+// the pairs balance the other part.
 Matrix2d pair_stress(const std::vector<PairForce>& pairs, double cell_area) {
   Matrix2d sum = Matrix2d::Zero();
   for (const auto& [force, apart, shift] : pairs) sum -= dyad(force, apart);
