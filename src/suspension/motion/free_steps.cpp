@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "suspension/bodies/configuration.hpp"
+#include "suspension/contact/path_images.hpp"
 #include "text/number_text.hpp"
 
 namespace stokesbook {
