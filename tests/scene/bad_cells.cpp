@@ -48,6 +48,10 @@ BOOST_AUTO_TEST_CASE(excluded_sections) {
            "n_nodes = 32\n",
        "s.toml:6:3: walls = [{...}]: not allowed with [cell]: walls do not move with the lattice; "
        "a body with held = true is an obstacle that repeats"},
+      {cell() + "[[fill]]\nshape = { kind = 'circle', radius = 0.1 }\ncount = 3\n" +
+           "n_nodes = 32\nregion = 'fluid'\n",
+       "s.toml:7:1: fill[0].region = \"fluid\": not allowed with [cell]: a fill takes the whole "
+       "cell"},
   });
 }
 
