@@ -26,11 +26,25 @@ std::string checksum_line(std::string_view body) {
   return "checksum " + fingerprint(body) + '\n';
 }
 
-/// Returns a JSON array. JSON has no infinities: they become texts, "inf".
+/// Returns a JSON array: the count of the numbers, which shows whether a damaged text has lost
+/// some, and the numbers. JSON has no infinities: they become texts, "inf".
 json to_json(const auto& numbers) {
-  json list = json::array();
+  json list = json::array({numbers.size()});
   for (const double x : numbers) list.push_back(std::isfinite(x) ? json(x) : json(number_text(x)));
   return list;
+}
+
+/// Returns a count; a conversion would also accept negative numbers and fractions.
+std::uintmax_t count_in(const json& number) {
+  if (number.is_number_unsigned()) return number.get<std::uintmax_t>();
+  throw std::invalid_argument("'" + number.dump() + "' is not a count");
+}
+
+/// Checks a count that is stored beside what it counts.
+void require_count(std::size_t found, const json& count, std::string_view counted) {
+  if (found == count_in(count)) return;
+  throw std::invalid_argument("has " + std::to_string(found) + ' ' + std::string(counted) +
+                              " where it states " + count.dump());
 }
 
 std::vector<double> numbers_in(const json& list) {
@@ -39,18 +53,14 @@ std::vector<double> numbers_in(const json& list) {
     numbers.push_back(x.is_string() ? parse_number<double>(x.get<std::string>()).value()
                                     : x.get<double>());
   }
+  require_count(numbers.size() - 1, list.at(0), "numbers");
+  numbers.erase(numbers.begin());
   return numbers;
 }
 
 Eigen::VectorXd vector_in(const json& list) {
   const std::vector<double> numbers = numbers_in(list);
   return Eigen::VectorXd::Map(numbers.data(), std::ssize(numbers));
-}
-
-/// Returns a count; a conversion would also accept negative numbers and fractions.
-std::uintmax_t count_in(const json& number) {
-  if (number.is_number_unsigned()) return number.get<std::uintmax_t>();
-  throw std::invalid_argument("'" + number.dump() + "' is not a count");
 }
 
 SavedRun parse(std::string_view text) {
@@ -68,6 +78,7 @@ SavedRun parse(std::string_view text) {
   for (const auto& [name, numbers] : data.at("history").items()) {
     saved.checkpoint.history[name] = vector_in(numbers);
   }
+  require_count(saved.checkpoint.history.size(), data.at("vectors"), "vectors");
   return saved;
 }
 
@@ -82,6 +93,7 @@ std::string to_text(const SavedRun& saved) {
             {"tables", saved.table_sizes},
             {"frames", to_json(saved.frame_times)},
             {"state", to_json(state)},
+            {"vectors", history.size()},
             {"history", json::object()}};
   for (const auto& [name, numbers] : history) data["history"][name] = to_json(numbers);
   const std::string text = magic + data.dump() + '\n';

@@ -110,8 +110,8 @@ class GoingOn(unittest.TestCase):
         with subprocess.Popen(self.command(out, text, *arguments), cwd=self.folder,
                               stdout=subprocess.DEVNULL) as process:
             checkpoint = self.folder / out / "checkpoint"
-            while not checkpoint.exists() or len(
-                    json.loads(checkpoint.read_text().splitlines()[1])["frames"]) <= frames:
+            while (not checkpoint.exists()  # the list of frames begins with its count
+                   or json.loads(checkpoint.read_text().splitlines()[1])["frames"][0] <= frames):
                 self.assertIsNone(process.poll())
                 time.sleep(0.001)
             process.send_signal(signal.SIGKILL)

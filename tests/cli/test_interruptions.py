@@ -112,7 +112,7 @@ def checkpoint_of(folder):
     if not (folder / "checkpoint").exists():
         return -numpy.inf, 0
     saved = json.loads((folder / "checkpoint").read_text().splitlines()[1])
-    return saved["t"], len(saved["frames"])
+    return saved["t"], saved["frames"][0]
 
 
 class Interruptions(unittest.TestCase):

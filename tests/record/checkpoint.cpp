@@ -105,4 +105,22 @@ BOOST_AUTO_TEST_CASE(unknown_contents_are_refused) {
       });
 }
 
+// A checksum that fits its text does not prove that numbers fit their counts.
+BOOST_AUTO_TEST_CASE(lost_numbers_and_vectors_are_refused) {
+  const Folder folder;
+  const auto check = [&](const std::string& lost, const std::string& reason) {
+    const std::string whole = to_text(sample());
+    std::string body = whole.substr(0, whole.rfind("checksum"));
+    BOOST_TEST_REQUIRE(body.find(lost) != std::string::npos);
+    body.erase(body.find(lost), lost.size());
+    write(folder.at("checkpoint"), body + "checksum " + fingerprint(body) + '\n');
+    BOOST_CHECK_EXCEPTION(read_saved_run(folder.at("checkpoint")), RecordError,
+                          [&](const RecordError& error) {
+                            return std::string(error.what()).ends_with("checkpoint: has " + reason);
+                          });
+  };
+  check(",0.2", "2 numbers where it states 3");
+  check("\"empty\":[0],", "1 vectors where it states 2");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
