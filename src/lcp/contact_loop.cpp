@@ -165,6 +165,8 @@ class ContactLoop {
 
   ContactResult run() {
     bool ended = is_finished();
+    const bool guessed = step_.guess.size() > 0 && options_.max_iterations > 0;
+    if (!ended && guessed) rows_ = evaluate_rows(step_, result_.velocity = step_.guess);
     while (!ended && !diverges() && result_.iterations < options_.max_iterations) {
       ++result_.iterations;
       const LinearisedGaps gaps = linearise_gaps();
@@ -224,6 +226,7 @@ class ContactLoop {
     result_.response = problem.matrix.diagonal();
     result_.multipliers = VectorXd::Zero(result_.response.size());
     result_.gaps = find_least_gaps(problem.keys, rows_);
+    result_.columns += static_cast<int>(problem.keys.size());
     for (Index i = 0; i < result_.response.size(); ++i) {
       if (result_.response[i] > 0.0) continue;
       give_up(ContactStatus::response_not_seen, name_row(i), ": a unit force opens its own gap by ",

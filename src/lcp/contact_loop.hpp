@@ -47,6 +47,9 @@ struct ContactStep {
   /// whether respond() is more accurate from now on. The loop calls refine() when contact is
   /// resolved, and solves the latest linear problem once more if the result is true.
   std::function<bool(const Eigen::VectorXd&)> refine{};
+  /// Velocity at which gaps are linearised first if U* violates some of them, for example the
+  /// velocity of the step before; empty: U*.
+  Eigen::VectorXd guess{};
   /// Returns the name of a row for ContactResult::reason; empty: the numbers of contact and point.
   std::function<std::string(const ContactKey&)> name{};
 };
@@ -89,6 +92,7 @@ struct ContactResult {
   /// length.
   double kkt_residual = 0.0;
   int iterations = 0;  ///< number of iterations, each with a linear problem
+  int columns = 0;     ///< number of forces to which respond() was applied
   int rays = 0;        ///< linear problems without a solution, in which max(c, 0) replaced c
   /// Largest violation at U*, and after each iteration, lengths >= 0.
   std::vector<double> violations{};
@@ -116,8 +120,8 @@ struct ContactResult {
 /// @par Accuracy    gaps to the tolerance, @ref claim_11_16; an iteration multiplies the error of U
 ///                  by a factor in proportion to the depth of the free motion, @ref claim_11_14,
 ///                  and squares the error if J_f does not depend on U, @ref claim_11_15
-/// @par Cost        at most max_iterations + 1 calls of rows() and max_iterations of respond(); one
-///                  more call of both for each refinement
+/// @par Cost        at most max_iterations + 1 calls of rows(), and one more with a guess;
+///                  max_iterations calls of respond(); one more call of both for each refinement
 /// @sa source: Josephy, Newton's method for generalized equations, MRC report 1965 (1979)
 ContactResult resolve_contact(const ContactStep& step, const ContactLoopOptions& options = {});
 

@@ -58,6 +58,7 @@ BOOST_AUTO_TEST_CASE(a_point_against_a_disk_ends_at_the_nearest_point) {
       BOOST_TEST(std::abs(result.multipliers[0] - (1.0 - free_end.norm())) < 1e-4);
       BOOST_TEST(std::abs(result.power - result.multipliers[0] * end.dot(result.velocity)) < 1e-4);
       BOOST_TEST(result.iterations <= 4);
+      BOOST_TEST(result.columns == result.iterations);
       BOOST_TEST(result.violations.size() == static_cast<std::size_t>(result.iterations + 1));
       BOOST_TEST(result.kkt_residual <= 1e-3);
     }
@@ -82,6 +83,23 @@ BOOST_AUTO_TEST_CASE(convergence_is_quadratic) {
     before = error;
   }
   BOOST_TEST(std::abs(error_after(4)) < 1e-15);
+}
+
+BOOST_AUTO_TEST_CASE(a_guess_of_the_velocity_saves_iterations_and_changes_no_solution) {
+  ContactStep step = pushed_along_x();
+  step.tolerance = 1e-12;
+  const ContactResult from_free = resolve_contact(step);
+  step.guess = from_free.velocity + vector2(1e-7, -1e-7);
+  const ContactResult from_near = resolve_contact(step);
+  BOOST_TEST(from_free.iterations >= 3);
+  BOOST_TEST(from_near.iterations == 1);
+  BOOST_TEST(largest(from_near.velocity - from_free.velocity) < 1e-11);
+  BOOST_TEST(from_near.violations.front() == from_free.violations.front());
+  // If the free motion has no contact, the solution has no contact either, whatever the guess is.
+  step.free_velocity = vector2(1.0, 0.0);
+  const ContactResult open = resolve_contact(step);
+  BOOST_TEST(open.iterations == 0);
+  BOOST_TEST((open.velocity == step.free_velocity));
 }
 
 BOOST_AUTO_TEST_CASE(forces_along_another_direction_than_the_gradient) {

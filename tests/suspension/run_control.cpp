@@ -170,17 +170,17 @@ BOOST_AUTO_TEST_CASE(the_number_of_the_format_stands_for_what_a_checkpoint_holds
   Scene scene = sheared_pair();
   BOOST_TEST(
       names_of(scene) ==
-      "contact_flows contact_loads contact_tolerances contact_totals density error errors estimate "
-      "first_nodes largest_estimate most_nodes nodes_in_contact previous_dt previous_rate "
-      "steps_in_contact written ");
+      "contact_flows contact_loads contact_tolerances contact_totals contact_velocity "
+      "density error errors estimate first_nodes largest_estimate most_nodes nodes_in_contact "
+      "previous_dt previous_rate steps_in_contact written ");
   scene.contact = ContactSettings{.minimum_separation = 0.01};
   scene.time->method = SteppingMethod::heun;
   scene.time->tolerance = 1e-2;
   BOOST_TEST(
       names_of(scene) ==
-      "closer contact_flows contact_loads contact_tolerances contact_totals density dt error "
-      "errors estimate first_nodes largest_estimate most_nodes nodes_in_contact steps_in_contact "
-      "written ");
+      "closer contact_flows contact_loads contact_tolerances contact_totals "
+      "contact_velocity density dt error errors estimate first_nodes largest_estimate most_nodes "
+      "nodes_in_contact steps_in_contact written ");
 }
 
 BOOST_AUTO_TEST_CASE(a_checkpoint_that_lacks_something_is_refused) {

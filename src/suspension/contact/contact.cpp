@@ -237,6 +237,8 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
         return stage.share * mobility(forces);
       },
       .refine = [&](const VectorXd& multipliers) { return mobility.refine(multipliers); },
+      .guess =
+          stage.guess.size() > 0 ? stage.free_velocity + stage.share * stage.guess : VectorXd{},
       .name =
           [&](const ContactKey& key) {
             return name_contact_pair(solver_.scene(), constraints.at(key).pair);

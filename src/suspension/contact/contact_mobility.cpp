@@ -33,7 +33,7 @@ constexpr double same_load = 1e-9;
 constexpr double most_solved_tolerance = 1e-2;
 
 // Loads with a larger cosine of the angle between them are similar: the column of the one is that
-// of the other up to MobilityColumns::most_tolerance. Other columns are no useful guesses.
+// of the other up to MobilityColumns::most_tolerance.
 constexpr double similar_from = 0.995;
 
 // Iterations that a tenth of the tolerance takes for a column, approximately. When refinements have
@@ -155,8 +155,8 @@ ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution&
       earlier_(std::move(earlier)),
       combination_tolerance_(exact.value_or(solver.plan().gmres_tolerance)),
       column_tolerance_(std::max(earlier_.tolerance, combination_tolerance_)),
+      flow_norm_(solution.system->system.right_hand_side().norm()),
       load_scales_(load_scales(solution.discretisation)),
-      combination_{solution.system->system.right_hand_side().norm()},
       most_correction_(most_correction * solver.scene().solver.tolerance) {
   if (solution.system->is_factorised) return;  // back substitutions need no guesses
   const Configuration& configuration = solution.instant.configuration;
@@ -174,7 +174,7 @@ ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution&
 
 void ContactMobility::reuse_similar(Column& column) const {
   const Column* nearest = nullptr;
-  double most = similar_from;
+  double most = 0.0;
   for (const std::vector<Column>& known : {std::cref(columns_), std::cref(earlier_columns_)}) {
     for (const Column& other : known) {
       const double similarity = cosine(column.scaled_load, other.scaled_load);
@@ -187,8 +187,10 @@ void ContactMobility::reuse_similar(Column& column) const {
   const double part =
       column.scaled_load.dot(nearest->scaled_load) / nearest->scaled_load.squaredNorm();
   column.density = part * nearest->density;
-  column.tolerance = MobilityColumns::most_tolerance;
-  complete(column, std::abs(part) * nearest->rhs_norm);
+  if (most > similar_from) {
+    column.tolerance = MobilityColumns::most_tolerance;
+    complete(column, std::abs(part) * nearest->rhs_norm);
+  }
 }
 
 void ContactMobility::solve_by_factors(Column& column) const {
@@ -214,8 +216,9 @@ GmresResult ContactMobility::run_gmres(const ComplexVector& rhs, double toleranc
                       std::to_string(result.iterations) +
                       " iterations: raise solver.gmres_max_iterations or solver.tolerance");
   }
-  ++work_.solves;
-  work_.cost += {result.iterations, result.applications};
+  ++solves_;
+  cost_.gmres_iterations += result.iterations;
+  cost_.matvecs += result.applications;
   return result;
 }
 
@@ -230,7 +233,7 @@ std::size_t ContactMobility::find_or_add(Column column) {
     reuse_similar(column);
   }
   columns_.push_back(std::move(column));
-  combination_.refinement_iterations = 0;
+  refinement_iterations_ = 0;
   return columns_.size() - 1;
 }
 
@@ -246,41 +249,40 @@ void ContactMobility::solve_to_tolerance(Column& column, double angle) {
 }
 
 MatrixXd ContactMobility::operator()(const SparseMatrix<double>& loads) {
-  latest_ = {{}, MatrixXd::Zero(loads.rows(), loads.cols()), {}};
+  velocities_ = MatrixXd::Zero(loads.rows(), loads.cols());
   const SparseMatrix<double> scaled_loads = load_scales_.asDiagonal() * loads;
   const VectorXd angles = smallest_angles(scaled_loads);
+  latest_columns_.clear();
   for (Index j = 0; j < loads.cols(); ++j) {
-    latest_.columns.push_back(find_or_add({loads.col(j), scaled_loads.col(j), {}}));
-    Column& column = columns_[latest_.columns.back()];
+    latest_columns_.push_back(find_or_add({loads.col(j), scaled_loads.col(j), {}}));
+    Column& column = columns_[latest_columns_.back()];
     solve_to_tolerance(column, angles[j]);
     for (std::size_t k = 0; k < column.motions.size(); ++k) {
       const auto& [velocity, omega] = column.motions[k];
-      latest_.velocities.block<3, 1>(static_cast<Index>(3 * k), j) << velocity.real(),
-          velocity.imag(), omega;
+      velocities_.block<3, 1>(static_cast<Index>(3 * k), j) << velocity.real(), velocity.imag(),
+          omega;
     }
   }
-  latest_.correction = MatrixXd::Zero(loads.rows(), loads.cols());
-  if (most_correction_) {
-    const MatrixXd works = loads.transpose() * latest_.velocities;
-    latest_.correction = load_scales_.asDiagonal() * definite_correction(scaled_loads, works);
+  correction_ = MatrixXd::Zero(loads.rows(), loads.cols());
+  if (corrects_) {
+    const MatrixXd works = loads.transpose() * velocities_;
+    correction_ = load_scales_.asDiagonal() * definite_correction(scaled_loads, works);
   }
-  return latest_.velocities + latest_.correction;
+  return velocities_ + correction_;
 }
 
 double ContactMobility::relative_correction(const VectorXd& multipliers) const {
   if (multipliers.isZero(0.0)) return 0.0;
-  const auto motion = [&](const MatrixXd& velocities) {
-    return largest_motion(velocities * multipliers, load_scales_);
-  };
-  return motion(latest_.correction) /
-         std::max(solution_.velocity_scale, motion(latest_.velocities));
+  const double scale =
+      std::max(solution_.velocity_scale, largest_motion(velocities_ * multipliers, load_scales_));
+  return largest_motion(correction_ * multipliers, load_scales_) / scale;
 }
 
 // Adds up the multipliers of the loads that share a column.
 VectorXd ContactMobility::column_weights(const VectorXd& multipliers) const {
   VectorXd weights = VectorXd::Zero(static_cast<Index>(columns_.size()));
-  for (std::size_t i = 0; i < latest_.columns.size(); ++i) {
-    weights[static_cast<Index>(latest_.columns[i])] += multipliers[static_cast<Index>(i)];
+  for (std::size_t i = 0; i < latest_columns_.size(); ++i) {
+    weights[static_cast<Index>(latest_columns_[i])] += multipliers[static_cast<Index>(i)];
   }
   return weights;
 }
@@ -291,7 +293,7 @@ double ContactMobility::residual_bound(const VectorXd& weights) const {
   double residual = 0.0;
   for (Index i = 0; i < weights.size(); ++i) {
     const Column& column = columns_[static_cast<std::size_t>(i)];
-    const double before = i < combination_.weights.size() ? combination_.weights[i] : 0.0;
+    const double before = i < combination_weights_.size() ? combination_weights_[i] : 0.0;
     residual += std::abs(weights[i] - before) * column.tolerance * column.rhs_norm;
   }
   return residual;
@@ -300,28 +302,27 @@ double ContactMobility::residual_bound(const VectorXd& weights) const {
 bool ContactMobility::refine(const VectorXd& multipliers) {
   if (multipliers.size() == 0 || multipliers.isZero(0.0)) return false;
   if (refine_combination(multipliers)) return true;
-  if (!most_correction_ || relative_correction(multipliers) <= *most_correction_) return false;
-  if (!tighten()) most_correction_.reset();
-  return true;
+  if (relative_correction(multipliers) <= most_correction_) return false;
+  return tighten() || std::exchange(corrects_, false);
 }
 
 bool ContactMobility::refine_combination(const VectorXd& multipliers) {
   const VectorXd weights = column_weights(multipliers);
   const double missing = residual_bound(weights);
-  auto& [flow_norm, latest_weights, latest_residual, allowed, iterations] = combination_;
-  if (latest_weights.size() > 0 && missing <= allowed) return false;
+  if (combination_weights_.size() > 0 && missing <= allowed_residual_) return false;
   const auto columns = static_cast<int>((weights.array() != 0.0).count());
-  if (iterations > iterations_of_closer_column * columns) return tighten();
+  if (refinement_iterations_ > iterations_of_closer_column * columns) return tighten();
   const auto [load, density] = combine(multipliers);
   const ComplexVector rhs = rhs_under(solution_.system->problem, load, solver_.plan());
-  const double strength = std::max(flow_norm, rhs.norm());
+  const double strength = std::max(flow_norm_, rhs.norm());
   const GmresResult found = run_gmres(rhs, combination_tolerance_ * strength / rhs.norm(), density);
-  latest_weights = weights;
-  allowed = 0.5 * combination_tolerance_ * strength;
+  combination_weights_ = weights;
+  allowed_residual_ = 0.5 * combination_tolerance_ * strength;
   if (found.iterations == 0) return false;
   const double residual = found.history.front() * rhs.norm(), more_than_known = residual / missing;
-  const bool diverges = residual > std::exchange(latest_residual, residual) && iterations > 0;
-  iterations += found.iterations;
+  const bool diverges =
+      residual > std::exchange(combination_residual_, residual) && refinement_iterations_ > 0;
+  refinement_iterations_ += found.iterations;
   if (diverges) tighten();
   const ComplexVector change = (deinterleaved(found.solution) - density) / weights.squaredNorm();
   for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -336,13 +337,14 @@ bool ContactMobility::refine_combination(const VectorXd& multipliers) {
 }
 
 bool ContactMobility::accept_any_correction() {
-  return std::exchange(most_correction_, infinite).value_or(0.0) < infinite;
+  corrects_ = true;
+  return std::exchange(most_correction_, infinite) < infinite;
 }
 
 bool ContactMobility::tighten() {
   if (column_tolerance_ <= combination_tolerance_) return false;
   column_tolerance_ = std::max(combination_tolerance_, tightening * column_tolerance_);
-  combination_.refinement_iterations = 0;
+  refinement_iterations_ = 0;
   return true;
 }
 
@@ -350,8 +352,8 @@ std::pair<SparseVector<double>, ComplexVector> ContactMobility::combine(
     const VectorXd& multipliers) const {
   SparseVector<double> load(columns_.front().load.size());
   ComplexVector density = ComplexVector::Zero(columns_.front().density.size());
-  for (std::size_t i = 0; i < latest_.columns.size(); ++i) {
-    const Column& column = columns_[latest_.columns[i]];
+  for (std::size_t i = 0; i < latest_columns_.size(); ++i) {
+    const Column& column = columns_[latest_columns_[i]];
     const double multiplier = multipliers[static_cast<Index>(i)];
     load += multiplier * column.load;
     density += multiplier * column.density;

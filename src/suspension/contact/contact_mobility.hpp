@@ -52,7 +52,8 @@ Eigen::MatrixXd definite_correction(const Eigen::MatrixXd& loads, const Eigen::M
 /// - that of the factorised system, if there is one;
 /// - or that of an earlier configuration, if the load has hardly turned since. It costs nothing, so
 ///   that contact that lasts costs a few iterations a step, for any number of pairs;
-/// - or the result of a solve to a relative residual of a hundredth.
+/// - or the result of a solve to a relative residual of a hundredth, which begins with the most
+///   similar column.
 ///
 /// Errors of the columns may make the mobility indefinite: definite_correction() corrects them, by
 /// up to a tenth of the solver's tolerance. If a larger correction is required, the columns are
@@ -118,8 +119,8 @@ class ContactMobility {
   /// Returns all columns, for the next configuration; the earlier ones if none was computed.
   MobilityColumns columns() const;
 
-  const SolveCost& cost() const { return work_.cost; }  ///< returns the work so far
-  int solves() const { return work_.solves; }  ///< counts the columns and combinations solved for
+  const SolveCost& cost() const { return cost_; }  ///< returns the work so far
+  int solves() const { return solves_; }  ///< counts the columns and combinations solved for
 
  private:
   struct Column {
@@ -129,24 +130,6 @@ class ContactMobility {
     std::vector<RigidMotion> motions{};
     double tolerance = 1.0;  // estimated relative residual
     double rhs_norm = 0.0;   // norm of the right-hand side; of the earlier one for reused columns
-  };
-  // The loads of the latest call.
-  struct Latest {
-    std::vector<std::size_t> columns;  // their columns
-    Eigen::MatrixXd velocities;        // velocities of these columns
-    Eigen::MatrixXd correction;        // of these velocities, by definite_correction()
-  };
-  // The latest combination that was solved for.
-  struct Combination {
-    double flow_norm;               // norm of the scene's own right-hand side
-    Eigen::VectorXd weights{};      // weights of the columns
-    double residual = 0.0;          // residual before the solve
-    double allowed_residual = 0.0;  // residual that it may have
-    int refinement_iterations = 0;  // iterations of refinements since the latest new load
-  };
-  struct Work {
-    SolveCost cost{};
-    int solves = 0;
   };
   std::size_t find_or_add(Column column);
   void reuse_similar(Column& column) const;
@@ -165,14 +148,21 @@ class ContactMobility {
   MobilityColumns earlier_;
   double combination_tolerance_;         // relative residual of combinations
   double column_tolerance_;              // relative residual of columns
+  double flow_norm_;                     // norm of the scene's own right-hand side
   Eigen::VectorXd load_scales_;          // factors from loads to scaled loads
   std::vector<Column> earlier_columns_;  // columns of earlier configurations, on the present nodes
   std::vector<Column> columns_;          // columns of all loads so far
-  Latest latest_;
-  Combination combination_;
-  // Largest motion of the correction, over the velocity scale; none: columns are not corrected.
-  std::optional<double> most_correction_;
-  Work work_;
+  std::vector<std::size_t> latest_columns_;  // columns of the loads of the latest call
+  Eigen::MatrixXd velocities_;               // velocities of these columns
+  Eigen::MatrixXd correction_;  // correction of these velocities, by definite_correction()
+  double most_correction_;      // largest motion of the correction, over the velocity scale
+  bool corrects_ = true;        // false: columns are used without a correction
+  Eigen::VectorXd combination_weights_;  // weights of the latest combination that was solved for
+  double combination_residual_ = 0.0;    // residual of that combination before its solve
+  double allowed_residual_ = 0.0;        // residual that it may have
+  int refinement_iterations_ = 0;        // iterations of refinements since the latest new load
+  SolveCost cost_;
+  int solves_ = 0;
 };
 
 }  // namespace stokesbook

@@ -31,7 +31,7 @@ class ContactStages {
   /// Resolves the contact of a stage, again and again until nodes and GMRES tolerance suffice for
   /// the contact forces. Later solves begin with the nodes and the tolerance found here.
   ///
-  /// @param  problem  without free velocity
+  /// @param  problem  without free velocity and guess
   /// @param  stage    flow of the stage; contact of earlier attempts, whose cost is added up
   /// @throws SolverError with the time, as SuspensionContact::resolve() does
   StageSolution resolve(const ContactStage& problem, StageSolution stage);

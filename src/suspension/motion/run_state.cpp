@@ -103,6 +103,8 @@ void add_solves(History& history, const SolveMemory& solves) {
   add_vectors(history, "contact_density", solves.columns.densities.packed());
   history["contact_loads"] = solves.columns.loads.reshaped();
   history["contact_flows"] = solves.columns.rhs_norms;
+  add_vectors(history, "contact_velocity",
+              {solves.contact_velocities.begin(), solves.contact_velocities.end()});
   VectorXd nodes(static_cast<Eigen::Index>(solves.contact_resolutions.size()));
   std::ranges::transform(solves.contact_resolutions, nodes.begin(), &Resolution::n_nodes);
   history["nodes_in_contact"] = nodes;
@@ -123,6 +125,7 @@ SolveMemory find_solves(const History& history, SolveMemory solves, std::size_t 
   solves.columns.loads = history.at("contact_loads")
                              .reshaped(static_cast<Eigen::Index>(3 * components), Eigen::AutoSize);
   solves.columns.rhs_norms = history.at("contact_flows");
+  std::ranges::copy(find_vectors(history, "contact_velocity"), solves.contact_velocities.begin());
   for (const double nodes : history.at("nodes_in_contact")) {
     solves.contact_resolutions.push_back({static_cast<int>(nodes), {}});
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -16,11 +17,13 @@ struct SolveMemory {
   DensityHistory densities;            ///< from which GMRES begins
   std::vector<RigidMotion> motions{};  ///< of the latest solve, where a LoadFunction takes them
   MobilityColumns columns{};           ///< columns of the contact mobility in the stage before
-  Resolutions contact_resolutions{};   ///< nodes that the contact forces require; empty: none
-  int steps_kept = 0;                  ///< steps taken with these resolutions
-  double gmres_tolerance = 0.0;        ///< tolerance that the contact forces require
-  double error_estimate = 0.0;         ///< the latest
-  int solves_since_estimate = 0;       ///< solves since the latest error estimate
+  std::array<Eigen::VectorXd, 2>
+      contact_velocities{};           ///< velocities that contact added in a step's stages
+  Resolutions contact_resolutions{};  ///< nodes that the contact forces require; empty: none
+  int steps_kept = 0;                 ///< steps taken with these resolutions
+  double gmres_tolerance = 0.0;       ///< tolerance that the contact forces require
+  double error_estimate = 0.0;        ///< the latest
+  int solves_since_estimate = 0;      ///< solves since the latest error estimate
 };
 
 /// All that the rest of a run depends on.

@@ -128,6 +128,7 @@ void Simulation::restart() {
   } else {
     densities.clear();
   }
+  instants_.memory().contact_velocities = {};
 }
 
 // Doubles or halves the steps of a fixed method by the iterations that a step took.
