@@ -70,11 +70,11 @@ std::string rheology_row(const Frame& frame) {
                      cell->dissipation_by_traction, contact(0, 0), contact(0, 1), contact(1, 1)));
 }
 
-std::string contact_rows(const Frame& frame, bool in_cell) {
+std::string contact_rows(const Frame& frame) {
   std::string rows;
   for (const auto& [a, b, point, normal, force, gap, image, shift] : frame.contacts) {
-    rows += in_cell ? table_row(frame.t, a, b, point, normal, force, gap, image[0], image[1])
-                    : table_row(frame.t, a, b, point, normal, force, gap);
+    const std::string row = table_row(frame.t, a, b, point, normal, force, gap);
+    rows += frame.cell ? continued(row, table_row(image.first, image.second)) : row;
   }
   return rows;
 }

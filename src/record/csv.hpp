@@ -26,10 +26,10 @@ inline constexpr std::string_view cell_rheology_columns =
     "stress_11,stress_12,stress_21,stress_22,viscosity,normal_stress_difference,"
     "particle_pressure,dissipation_by_traction,contact_stress_11,contact_stress_12,"
     "contact_stress_22\n";
-/// Header of `contacts.csv`, and the one in scenes with a periodic cell.
-inline constexpr std::string_view contacts_header = "t,a,b,x,y,nx,ny,force,gap\n",
-                                  cell_contacts_header =
-                                      "t,a,b,x,y,nx,ny,force,gap,image_1,image_2\n";
+/// Header of `contacts.csv`.
+inline constexpr std::string_view contacts_header = "t,a,b,x,y,nx,ny,force,gap\n";
+/// More columns of `contacts.csv`, in scenes with a periodic cell.
+inline constexpr std::string_view cell_contacts_columns = "image_1,image_2\n";
 /// Header of `tracers.csv`.
 inline constexpr std::string_view tracers_header = "t,tracer,x,y\n";
 /// Header of `nodes.csv`.
@@ -56,7 +56,7 @@ std::string wall_rows(const Frame& frame);
 std::string rheology_row(const Frame& frame);
 /// Writes one line for each contact; a and b are `body:3` or `wall:0`. In a periodic cell, each
 /// line ends with the image of b.
-std::string contact_rows(const Frame& frame, bool in_cell = false);
+std::string contact_rows(const Frame& frame);
 /// Writes one line for each tracer.
 std::string tracer_rows(const Frame& frame);
 /// Writes one line for each node; components are numbered by ContactParty::id().

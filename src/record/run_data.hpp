@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <compare>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -74,15 +72,14 @@ struct ContactParty {
 /// A contact force, which keeps two components apart. In a periodic cell, it may act between the
 /// first component and an image of the second one, or of the first one.
 struct ContactForce {
-  ContactParty a;      ///< the first component
-  ContactParty b;      ///< the second component
-  Complex point;       ///< point where the force acts, length
-  Complex normal;      ///< direction of the force on a, unit vector
-  double force = 0.0;  ///< >= 0, force / length
-  double gap = 0.0;    ///< gap of the curves at the end of the step with this force, length
-  /// Numbers j and k of the image j a1 + k a2 of b, relative to the path of b.
-  std::array<std::int64_t, 2> image{};
-  Complex shift{};  ///< vector j a1 + k a2 from b to this image when the force acts, length
+  ContactParty a;        ///< the first component
+  ContactParty b;        ///< the second component
+  Complex point;         ///< point where the force acts, length
+  Complex normal;        ///< direction of the force on a, unit vector
+  double force = 0.0;    ///< >= 0, force / length
+  double gap = 0.0;      ///< gap of the curves at the end of the step with this force, length
+  LatticeIndex image{};  ///< of the image of b, relative to the path of b
+  Complex shift{};       ///< lattice vector from b to this image when the force acts, length
 };
 
 /// The flow at a node of a component.

@@ -55,7 +55,7 @@ std::vector<GrowingFile> growing_files(const RunContents& contents) {
   if (contents.csv) add_in_cells(rheology_name, rheology_header, cell_rheology_columns);
   if (contents.csv && !contents.outlines.walls.empty()) add(walls_name, walls_header);
   if (contents.csv && contents.contacts) {
-    add(contacts_name, contents.cell ? cell_contacts_header : contacts_header);
+    add_in_cells(contacts_name, contacts_header, cell_contacts_columns);
   }
   if (contents.csv && contents.tracers) add(tracers_name, tracers_header);
   if (contents.csv && contents.nodes) add(nodes_name, nodes_header);
@@ -199,7 +199,7 @@ void RunDirectory::write_frame(const Frame& frame) {
   append(trajectory_name, trajectory_rows(frame));
   append(walls_name, wall_rows(frame));
   append(rheology_name, rheology_row(frame));
-  append(contacts_name, contact_rows(frame, contents_.cell));
+  append(contacts_name, contact_rows(frame));
   append(tracers_name, tracer_rows(frame));
   append(nodes_name, node_rows(frame));
   if (contents_.html) append(animation_name, animation_frame(frame));

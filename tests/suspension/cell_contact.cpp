@@ -163,8 +163,8 @@ BOOST_AUTO_TEST_CASE(one_force_between_a_disk_and_an_image) {
   BOOST_TEST_REQUIRE(outcome.is_resolved());
   BOOST_TEST_REQUIRE(outcome.forces.size() == 1);
   const ContactForce& contact = outcome.forces[0];
-  BOOST_TEST(contact.image[0] == 0);
-  BOOST_TEST(contact.image[1] == -1);
+  BOOST_TEST(contact.image.first == 0);
+  BOOST_TEST(contact.image.second == -1);
   BOOST_TEST(std::abs(contact.shift + Complex{0.3, 1.0}) < 1e-15);
   BOOST_TEST(std::abs(contact.normal - std::polar(1.0, 0.75 * std::numbers::pi)) < 1e-12);
   BOOST_TEST(outcome.imbalance.torque < 1e-14);
@@ -208,8 +208,8 @@ BOOST_AUTO_TEST_CASE(another_image_of_a_body) {
     const Frame &p = run.frames[i], &q = other.frames[i];
     BOOST_TEST_REQUIRE(p.contacts.size() == 1);
     BOOST_TEST_REQUIRE(q.contacts.size() == 1);
-    BOOST_TEST(q.contacts[0].image[0] == -3);
-    BOOST_TEST(q.contacts[0].image[1] == 1);
+    BOOST_TEST(q.contacts[0].image.first == -3);
+    BOOST_TEST(q.contacts[0].image.second == 1);
     BOOST_TEST(std::abs(p.contacts[0].force - q.contacts[0].force) < 1e-6);
     const Complex w = 3.0 * a1 - 2.0 * (a2 + p.t);
     BOOST_TEST(std::abs(q.bodies[1].position - p.bodies[1].position - w) < 1e-9);
@@ -241,8 +241,8 @@ BOOST_AUTO_TEST_CASE(own_image) {
   BOOST_TEST_REQUIRE(end.contacts.size() == 1);
   const ContactForce& contact = end.contacts[0];
   BOOST_TEST(contact.b.number == 0);
-  BOOST_TEST(contact.image[0] == 1);
-  BOOST_TEST(contact.image[1] == 0);
+  BOOST_TEST(contact.image.first == 1);
+  BOOST_TEST(contact.image.second == 0);
   BOOST_TEST(std::abs(gap(body.orientation) - separation) < 1e-3 * separation);
   BOOST_TEST(std::abs(body.omega) < 1e-4);
   BOOST_TEST(body.force == 0.0);
@@ -270,8 +270,8 @@ BOOST_AUTO_TEST_CASE(two_images_of_one_neighbour) {
   const RecordedRun run = recorded_run(over(scene, 0.02, 0.01));
   const Frame& start = run.frames.front();
   BOOST_TEST_REQUIRE(start.contacts.size() == 2);
-  BOOST_TEST(start.contacts[0].image[0] == 0);
-  BOOST_TEST(start.contacts[1].image[0] == -1);
+  BOOST_TEST(start.contacts[0].image.first == 0);
+  BOOST_TEST(start.contacts[1].image.first == -1);
   for (const ContactForce& contact : start.contacts) {
     // Both forces carry the load together.
     BOOST_TEST(-2.0 * contact.force * contact.normal.imag() == 2.0,
@@ -296,7 +296,7 @@ BOOST_AUTO_TEST_CASE(pressure_presses_on_a_held_body) {
   std::size_t contacts = 0;
   for (const Frame& frame : recorded_run(over(scene, 0.01, 0.001)).frames) {
     for (const ContactForce& contact : frame.contacts) {
-      BOOST_TEST(contact.image[0] == 1);
+      BOOST_TEST(contact.image.first == 1);
       BOOST_TEST(std::abs(frame.bodies[0].force) > 0.1);
       ++contacts;
     }

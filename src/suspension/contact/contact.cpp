@@ -62,7 +62,7 @@ std::vector<ContactForce> contact_forces(const Scene& scene, const ContactResult
                       .normal = found.force_on_a.normal,
                       .force = result.multipliers[row],
                       .gap = rules.between(found.pair, rules.curves) + result.gaps[row],
-                      .image = {image.first, image.second},
+                      .image = image,
                       .shift = lattice ? lattice->vector(image) : Complex{}});
   }
   return forces;
@@ -266,10 +266,10 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
   if (const auto lattice = lattice_step(stage.start.lattice, stage.end_lattice)) {
     for (const ContactForce& contact : outcome.forces) {
       const Complex force = contact.force * contact.normal;
-      const LatticeIndex image{contact.image[0], contact.image[1]};
       torque_of_images += cross(contact.shift, force);
       outcome.result.power -=
-          dot(force, lattice->end.vector(image) - lattice->start.vector(image)) / stage.dt;
+          dot(force, lattice->end.vector(contact.image) - lattice->start.vector(contact.image)) /
+          stage.dt;
     }
   }
   outcome.imbalance = imbalance(result.force, stage.acting.paths, shapes_, torque_of_images);

@@ -110,9 +110,9 @@ StepInfo with_forces(StepInfo step, const ContactOutcome& outcome, double durati
   return step;
 }
 
-std::set<std::tuple<ContactParty, ContactParty, std::array<std::int64_t, 2>>> pairs_in_contact(
+std::set<std::tuple<ContactParty, ContactParty, LatticeIndex>> pairs_in_contact(
     const std::vector<ContactForce>& forces) {
-  std::set<std::tuple<ContactParty, ContactParty, std::array<std::int64_t, 2>>> pairs;
+  std::set<std::tuple<ContactParty, ContactParty, LatticeIndex>> pairs;
   for (const ContactForce& force : forces) pairs.emplace(force.a, force.b, force.image);
   return pairs;
 }

@@ -64,7 +64,7 @@ StepInfo with_costs_of(StepInfo step, const StepInfo& rejected);
 StepInfo with_forces(StepInfo step, const ContactOutcome& outcome, double duration);
 
 /// Lists the pairs with a contact force between them, each once, with the image of the second one.
-std::set<std::tuple<ContactParty, ContactParty, std::array<std::int64_t, 2>>> pairs_in_contact(
+std::set<std::tuple<ContactParty, ContactParty, LatticeIndex>> pairs_in_contact(
     const std::vector<ContactForce>& forces);
 
 }  // namespace stokesbook
