@@ -153,6 +153,12 @@ ClosestPoints measured(const SmoothCurve& a, const Footing& at) {
 
 }  // namespace
 
+SmoothCurve translated(SmoothCurve curve, Complex vector) {
+  curve.nodes.x.array() += vector;
+  curve.position += vector;
+  return curve;
+}
+
 double SmoothCurve::parameter(Index node) const {
   return parameters.empty() ? parameter_step(nodes) * static_cast<double>(node)
                             : parameters[static_cast<std::size_t>(node)].t;

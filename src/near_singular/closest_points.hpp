@@ -21,6 +21,9 @@ struct SmoothCurve {
   TrigonometricPolynomial::Jet at(double t) const;  ///< evaluates x, x' and x'' in the plane
 };
 
+/// Moves a curve by a vector, length.
+SmoothCurve translated(SmoothCurve curve, Complex vector);
+
 /// Foot of the perpendicular from a point to a curve.
 struct Foot {
   double parameter;                 ///< t, radians

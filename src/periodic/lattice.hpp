@@ -62,6 +62,9 @@ class Lattice {
   /// rectangular lattice, two pairs of corners coincide.
   std::array<Complex, 6> voronoi_corners() const;
 
+  /// Returns the distance of the corners of a Voronoi cell from its centre, length.
+  double circumradius() const { return std::abs(voronoi_corners()[0]); }
+
   /// Returns the vectors w for which a point z + w lies in a disk, length.
   std::vector<Complex> vectors_into_disk(Complex z, Complex centre, double radius) const;
 

@@ -128,7 +128,7 @@ MatrixXd correlation_in_cell(const Scene& scene, const BodyFrames& frames, const
                              double longest) {
   MatrixXd g = zeros(frames, bins.count);
   for (std::size_t f = 0; f < frames.t.size(); ++f) {
-    const Lattice lattice = lattice_of(*cell_at(scene, frames.t[f]));
+    const Lattice lattice = *lattice_at(scene, frames.t[f]);
     const std::vector<BodyState>& bodies = frames.bodies[f];
     const double expected =
         std::numbers::pi * bins.width * bins.width / lattice.area() * pairs_of(bodies.size());
@@ -202,9 +202,8 @@ Measurement neighbours(const Scene& scene, const BodyFrames& frames) {
     for (std::size_t k = 0; k < bodies; ++k) {
       const BodyState& body = frames.bodies[f][k];
       configuration[k] = {body.position, body.orientation};
-      if (!cell) continue;
-      configuration[k].position = lattice_of(*cell).wrap(body.position, cell_centre(scene));
     }
+    if (cell) configuration = in_cell(scene, *cell, std::move(configuration));
     for (const auto& [a, b, closest, shift] :
          gaps_within(configuration, discretisation, limits.back(), cell)) {
       if (a >= bodies) continue;  // the gap of two walls

@@ -110,12 +110,7 @@ void add_repulsion(std::vector<Load>& loads, const Scene& scene,
                    const Discretisation& discretisation, const StepTime& time,
                    Configuration configuration) {
   const std::optional<PeriodicCell> cell = cell_at(scene, time.t);
-  if (cell) {
-    const Lattice lattice = lattice_of(*cell);
-    for (Pose& pose : configuration) {
-      pose.position = lattice.wrap(pose.position, cell_centre(scene));
-    }
-  }
+  if (cell) configuration = in_cell(scene, *cell, std::move(configuration));
   for (const auto& [gap, force] : repelled_pairs(scene, discretisation, configuration, cell)) {
     const auto& [a, b, closest, shift] = gap;
     const auto act = [&](std::size_t k, Complex own, Complex point) {

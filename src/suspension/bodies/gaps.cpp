@@ -87,15 +87,11 @@ class BroadPhase {
   }
 
  private:
-  // Returns the lattice vectors by which an image may come within a distance of the cell, whose
-  // circumradius is at most half the sum of the two shortest vectors.
+  // Returns the lattice vectors by which an image may come within a distance of the cell.
   std::vector<Complex> shifts_within(double distance) const {
-    std::vector<Complex> shifts{0.0};
-    if (!lattice_) return shifts;
-    const double reach = std::abs(lattice_->shortest()) + std::abs(lattice_->second()) +
-                         2.0 * std::ranges::max(radius_) + distance;
-    for (const Complex w : lattice_->half_disk(reach)) shifts.insert(shifts.end(), {w, -w});
-    return shifts;
+    if (!lattice_) return {0.0};
+    const double farthest = lattice_->circumradius() + std::ranges::max(radius_);
+    return lattice_->vectors_into_disk(0.0, 0.0, 2.0 * farthest + distance);
   }
 
   const Configuration& configuration_;
@@ -121,10 +117,7 @@ Gap measure(const ImagePair& pair, const std::vector<SmoothCurve>& curves) {
     return Gap{pair.a, pair.b, closest_points(curves[pair.a], b), shift};
   };
   if (shift == 0.0) return closest_to(curves[pair.b]);
-  SmoothCurve image = curves[pair.b];
-  image.nodes.x.array() += shift;
-  image.position += shift;
-  return closest_to(image);
+  return closest_to(translated(curves[pair.b], shift));
 }
 
 std::vector<Gap> measure(const std::vector<ImagePair>& pairs,

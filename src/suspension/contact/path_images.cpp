@@ -36,11 +36,7 @@ std::vector<Complex> near_vectors(const LatticeStep& lattice, double reach) {
   for (const Complex b : {lattice.start.shortest(), lattice.start.second()}) {
     moved += 2.0 / std::numbers::sqrt3 * std::abs(lattice.at_end(b) - b) / std::abs(b);
   }
-  std::vector<Complex> vectors;
-  for (const Complex w : lattice.start.half_disk(reach * (1.0 + moved))) {
-    vectors.insert(vectors.end(), {w, -w});
-  }
-  return vectors;
+  return lattice.start.vectors_into_disk(0.0, 0.0, reach * (1.0 + moved));
 }
 
 // Returns the least rectangle that holds the positions on some paths.
@@ -93,9 +89,10 @@ PathImages path_images(const ContactShapes& shapes, const std::vector<RigidPath>
     longest = std::max(longest, std::abs(found.paths[k].displacement));
   }
   const double apart = 2.0 * radius + reach;  // largest distance of positions that matter
-  const double cell = std::abs(lattice->start.shortest()) + std::abs(lattice->start.second());
+  const double cell = 2.0 * lattice->start.circumradius();
   const RectangleIndex near({widened(positions_rectangle(found.paths), apart)});
   for (const Complex w : near_vectors(*lattice, cell + 2.0 * longest + apart)) {
+    if (w == 0.0) continue;  // the components themselves
     const LatticeIndex index = lattice->start.index(w);
     for (std::size_t k = 0; k < count; ++k) {
       const RigidPath image = moved(found.paths[k], *lattice, index);

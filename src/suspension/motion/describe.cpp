@@ -293,8 +293,8 @@ std::string vector_text(Complex vector) {
 }
 
 // Describes the cell at the start, and the sums over its images.
-std::string cell_text(const SuspensionSolver& solver, const Resolutions& resolutions) {
-  const Instant start = solver.start();
+std::string cell_text(const SuspensionSolver& solver, const Instant& start,
+                      const Resolutions& resolutions) {
   const Lattice lattice = lattice_of(*start.cell);
   const double tolerance = solver.plan().sum_tolerance;
   const FastSum sum(solver.problem(start, solver.discretise(resolutions)), tolerance);
@@ -353,7 +353,7 @@ std::vector<std::string> describe(const SuspensionSolver& solver) {
   add("unknowns", std::to_string(2 * nodes) + ": " + std::to_string(nodes) +
                       " nodes; motions and loads are functionals of the density (reduced closure)");
   add("summation", sum_text(solver.plan(), nodes, scene.cell.has_value()));
-  if (scene.cell) add("cell", cell_text(solver, resolutions));
+  if (scene.cell) add("cell", cell_text(solver, instant, resolutions));
   if (is_enclosed(scene) && has_velocity_data(scene)) add("velocity data", flux_text(solver));
   const std::vector<int> recommended = solver.recommended_nodes(start, gaps);
   for (const std::string& text : component_texts(solver, resolutions, recommended)) {

@@ -70,7 +70,7 @@ std::vector<std::size_t> add_images(Crowd& crowd, double reach) {
     crowd.poses[k].position = lattice.wrap(crowd.poses[k].position, centre);
     if (k < crowd.bodies) radius = std::max(radius, crowd.shapes[k]->radius);
   }
-  const double farthest = std::abs(lattice.voronoi_corners()[0]) + radius + reach;
+  const double farthest = lattice.circumradius() + radius + reach;
   for (std::size_t k = 0, count = owners.size(); k < count; ++k) {
     const Pose pose = crowd.poses[k];
     const double within = farthest + crowd.shapes[k]->radius;

@@ -31,12 +31,7 @@ struct Obstacle {
   SmoothCurve curve;
   double radius, spacing;
 
-  Obstacle moved(Complex vector) const {
-    Obstacle image = *this;
-    image.curve.nodes.x.array() += vector;
-    image.curve.position += vector;
-    return image;
-  }
+  Obstacle image(Complex vector) const { return {translated(curve, vector), radius, spacing}; }
 };
 
 Obstacle make_obstacle(const DiscretisedShape& discretised, const Pose& pose) {
@@ -92,12 +87,12 @@ class Obstacles {
     }
     std::vector<Complex> shifts{0.0};
     if (cell_) {
-      const double farthest = std::abs(cell_->lattice.voronoi_corners()[0]);
+      const double farthest = cell_->lattice.circumradius();
       shifts = cell_->lattice.vectors_into_disk(obstacle.curve.position, cell_->centre,
                                                 farthest + cell_->reach + obstacle.radius);
     }
     for (const Complex w : shifts) {
-      others_.push_back(obstacle.moved(w));
+      others_.push_back(obstacle.image(w));
       circles_.insert(square_about(others_.back().curve.position, obstacle.radius));
     }
   }
@@ -117,7 +112,7 @@ class Obstacles {
     std::vector<Obstacle> own_images;
     if (cell_) {
       for (const Complex w : cell_->lattice.half_disk(2.0 * body.radius + clearance)) {
-        own_images.push_back(body.moved(w));
+        own_images.push_back(body.image(w));
       }
     }
     // The bounding circle of an enclosing wall gives no bound of its gap to a body inside, so that

@@ -104,7 +104,7 @@ std::vector<std::optional<Covering>> covering_components(const Configuration& co
         encloses ? std::numeric_limits<double>::infinity() : outer_radius(curve, 0.0);
     std::vector<Complex> shifts{0.0};
     if (lattice) {
-      const double farthest = std::abs(lattice->voronoi_corners()[0]);
+      const double farthest = lattice->circumradius();
       shifts = lattice->vectors_into_disk(position, centre, farthest + reach);
     }
     for (const Complex shift : shifts) {
