@@ -77,6 +77,33 @@ class Views(unittest.TestCase):
         for x, y in (marks[0], marks[2]):  # 1 + x is 2 at x = 1, and 4 at x = 3
             self.assertLess(min(abs(x - px) + abs(y - py) for px, py in lines[6]), 0.05)
 
+    def test_plot_means_draws_tables_side_by_side_on_a_logarithmic_axis(self):
+        tables = [self.run_folder.parent / f"{name}.csv" for name in ("first", "second")]
+        tables[0].write_text("x,u,u_interval\n1,1.0,0.5\n2,10.0,1.0\n3,100.0,nan\n")
+        tables[1].write_text("x,v,v_interval\n1,100.0,1.0\n3,10.0,1.0\n")
+        picture = tables[0].with_suffix(".svg")
+        arguments = [sys.executable, "-B", VIEWS / "plot_means.py", *tables, "--x", "x", "--y", "u", "--y", "v",
+                     "--log", "--out", picture]
+        subprocess.run([*arguments, "--label", "a", "--label", "b", "--law", "10**x"], check=True)
+        svg = xml.parse(picture).getroot()
+        name = "{http://www.w3.org/2000/svg}"
+        first, second = ([(float(mark.get("cx")), float(mark.get("cy"))) for mark in group.iter(f"{name}circle")]
+                         for group in svg.iter(f"{name}g") if "means" in group.get("class"))
+        decade = first[0][1] - first[1][1]
+        self.assertAlmostEqual(first[1][1] - first[2][1], decade, delta=0.02)
+        for (x1, y1), (x2, y2) in ((first[0], second[1]), (first[2], second[0])):
+            self.assertAlmostEqual(abs(x2 - x1), first[2][0] - first[0][0] + (7.0 if x1 < x2 else -7.0),
+                                   delta=0.02)
+            self.assertAlmostEqual(abs(y2 - y1), decade if x1 < x2 else 0.0, delta=0.02)
+        texts = [text.text for text in svg.iter(f"{name}text")]
+        for text in "a", "b", "10**x", "1", "2", "5", "500":
+            self.assertIn(text, texts)
+        for more, words in (([], "a different --label each"), (["--label", "a", "--label", "a"], "--label each"),
+                            (["--label", "a", "--label", "b", "--law", "0 - x"], "above zero")):
+            result = subprocess.run([*arguments, *more], capture_output=True, text=True)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(words, result.stderr)
+
     def test_plot_means_refuses_what_is_not_in_the_table(self):
         table = self.run_folder.parent / "few.csv"
         table.write_text("a,b,b_interval\n1,2,0.1\n1,3,0.1\n")
