@@ -8,6 +8,7 @@ Usage: test_example_studies.py PROGRAM ROOT [unittest arguments]
 import csv
 import math
 import pathlib
+import re
 import sys
 import tempfile
 import unittest
@@ -56,7 +57,7 @@ class Studies(unittest.TestCase):
     def test_every_study_is_checked(self):
         tested = {name.removeprefix("test_study_") for name in dir(self) if name.startswith("test_study_")}
         self.assertEqual(tested, set(STUDIES))
-        self.assertEqual(len(STUDIES), 5)
+        self.assertEqual(len(STUDIES), 6)
 
     def test_study_viscosity(self):
         out = self.study("viscosity")
@@ -78,6 +79,34 @@ class Studies(unittest.TestCase):
         turning = means["torque_ratio"]
         self.assertLess(abs(turning["mean"] - few["torque_ratio"]),
                         turning["interval"] + few["torque_ratio_interval"])
+
+    def test_study_bulk(self):
+        out = self.study("bulk")
+        disks, ellipses, wide, narrow = (rows_of(out / name / "results.csv") for name in (
+            "random_disks", "random_ellipses", "viscosity", "narrow_gap"))
+        for rows in disks, ellipses:
+            self.assertEqual([row["runs"] for row in rows], [5.0] * 6)
+            few = rows[0]
+            excess = few["viscosity"] - 1.0 - 2.0 * few["area_fraction"]
+            self.assertLess(abs(excess), few["viscosity_interval"] + 4.0 * few["area_fraction"]**2)
+            half = rows[4]
+            self.assertGreater(half["viscosity"], 2.0 * (1.0 + 2.0 * half["area_fraction"]))
+        for one, other in zip(disks[:5], ellipses):
+            self.assertLess(abs(one["viscosity"] - other["viscosity"]),
+                            one["viscosity_interval"] + other["viscosity_interval"])
+        means = [[row[column] for row in rows if row["area_fraction"] in (0.1, 0.2, 0.3)]
+                 for rows, column in ((disks, "viscosity"), (wide, "torque_ratio"), (narrow, "torque_ratio"))]
+        for without, in_wide, in_narrow in zip(*means):
+            self.assertLess(without, min(in_wide, in_narrow))
+        self.assertGreater(narrow[0]["torque_ratio"] - narrow[0]["torque_ratio_interval"],
+                           disks[0]["viscosity"] + disks[0]["viscosity_interval"])
+        # The run of the variation agrees with the table of the page.
+        found = {row["quantity"]: row for row in rows_of(out / "sheared_cell/means.csv")}
+        row = re.search(r"^\| disks \| 0\.3 \| (.*) \|$", PAGE, re.MULTILINE)[1]
+        columns = ("viscosity", "normal_stress_difference", "particle_pressure")
+        for name, cell in zip(columns, row.split(" | "), strict=True):
+            mean, interval = map(float, cell.split(" ± "))
+            self.assertLess(abs(found[name]["mean"] - mean), found[name]["interval"] + interval)
 
     def test_study_settling(self):
         out = self.study("settling")
