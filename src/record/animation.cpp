@@ -2,6 +2,7 @@
 #include "record/animation.hpp"
 
 #include <cmath>
+#include <concepts>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -24,8 +25,8 @@ std::string item(Complex x) {
   return item(x.real()) + ',' + item(x.imag());
 }
 
-std::string item(const ContactParty& party) {
-  return std::to_string(party.id());
+std::string item(std::integral auto x) {
+  return std::to_string(x);
 }
 
 /// Returns a JSON array.
@@ -80,8 +81,10 @@ std::string animation_frame(const Frame& frame) {
   const auto wall_text = [](const WallLoad& wall) {
     return array(wall.position, wall.orientation, wall.force, wall.torque);
   };
-  const auto contact_text = [](const ContactForce& contact) {
-    return array(contact.a, contact.b, contact.point, contact.force, contact.gap);
+  const auto contact_text = [&](const ContactForce& contact) {
+    const auto& [a, b, point, normal, force, gap, image, shift] = contact;
+    if (!frame.cell) return array(a.id(), b.id(), point, force, gap);
+    return array(a.id(), b.id(), point, force, gap, image.first, image.second);
   };
   std::vector<BodyState> bodies = frame.bodies;
   std::string cell;

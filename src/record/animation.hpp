@@ -26,7 +26,8 @@ std::string animation_head(const std::string& title, const Outlines& outlines);
 ///          `[x, y, theta, ux, uy, omega, fx, fy, torque]`, a wall `[x, y, theta, fx, fy, torque]`,
 ///          a contact `[a, b, x, y, force, gap]`, where a and b are ContactParty::id(); with a
 ///          periodic cell also `[cx, cy, ax, ay, bx, by]`, its centre and the vectors of its
-///          lattice with twelve digits, and bodies have the velocities of their images in the cell
+///          lattice with twelve digits, bodies have the velocities of their images in the cell, and
+///          contacts end with the two numbers of ContactForce::image
 /// @throws std::invalid_argument when a number is not finite, since JSON cannot represent it
 std::string animation_frame(const Frame& frame);
 

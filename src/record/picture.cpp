@@ -257,9 +257,8 @@ std::string draw_contacts(const Layout& layout, const Frame& frame) {
   for (const ContactForce& contact : frame.contacts) {
     const Complex point = layout.to_drawing(contact.point);
     std::string data;
-    for (const ContactParty& party : {contact.a, contact.b}) {
-      if (party.is_wall) continue;
-      data += svg::line(layout.to_drawing(place_in_contact(frame, party, contact.point)), point);
+    for (const Complex end : contact_ends(frame, contact)) {
+      if (end != contact.point) data += svg::line(layout.to_drawing(end), point);
     }
     const double width = std::max(0.5, widest * contact.force / largest);
     lines += svg::path(data, svg::attribute("stroke-width", width));

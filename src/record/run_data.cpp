@@ -16,18 +16,24 @@ std::string numbers_of(const auto& components) {
 }  // namespace
 
 Frame in_cell(Frame frame) {
-  const auto& [lattice, centre, bodies] = frame.cell.value();
-  frame.bodies = bodies;
-  for (Complex& tracer : frame.tracers) tracer = lattice.wrap(tracer, centre);
+  const FrameCell& cell = frame.cell.value();
+  for (Complex& tracer : frame.tracers) tracer = cell.lattice.wrap(tracer, cell.centre);
+  // A contact moves with a, and the image of b keeps its place beside a.
   for (ContactForce& contact : frame.contacts) {
-    contact.point = lattice.wrap(contact.point, bodies[contact.a.number].position);
+    const std::size_t a = contact.a.number, b = contact.b.number;
+    const Complex moved = cell.bodies[a].position - frame.bodies[a].position;
+    contact.point += moved;
+    contact.shift += moved - (cell.bodies[b].position - frame.bodies[b].position);
   }
+  frame.bodies = cell.bodies;
   return frame;
 }
 
-Complex place_in_contact(const Frame& frame, const ContactParty& body, Complex contact) {
-  const Complex position = frame.bodies[body.number].position;
-  return frame.cell ? frame.cell->lattice.wrap(position, contact) : position;
+std::array<Complex, 2> contact_ends(const Frame& frame, const ContactForce& contact) {
+  const auto end = [&](const ContactParty& party, Complex shift) {
+    return party.is_wall ? contact.point : frame.bodies[party.number].position + shift;
+  };
+  return {end(contact.a, 0.0), end(contact.b, contact.shift)};
 }
 
 void require_outlines(const Frame& frame, const Outlines& outlines) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <limits>
 #include <optional>
@@ -116,8 +117,9 @@ struct Frame {
 /// @throws std::bad_optional_access when the frame has no cell
 Frame in_cell(Frame frame);
 
-/// Returns the position of a body in contact, or of the image that is nearest to the contact.
-Complex place_in_contact(const Frame& frame, const ContactParty& body, Complex contact);
+/// Returns where the lines of a contact end: at the position of a, and at that of b or of its image
+/// in contact; at walls, the end is the contact point.
+std::array<Complex, 2> contact_ends(const Frame& frame, const ContactForce& contact);
 
 /// A closed curve in its own frame, for pictures.
 struct Outline {

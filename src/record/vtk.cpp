@@ -185,11 +185,8 @@ std::string contacts_vtp(const Frame& frame) {
   std::vector<Cell> cells;
   for (const ContactForce& contact : contacts) {
     // A line to the centre of a wall would cross other bodies; it ends at the contact instead.
-    const auto end = [&](const ContactParty& party) {
-      return party.is_wall ? contact.point : place_in_contact(frame, party, contact.point);
-    };
-    cells.push_back(
-        {ComplexVector{{end(contact.a), contact.point, end(contact.b)}}, Cell::in_line});
+    const auto [a, b] = contact_ends(frame, contact);
+    cells.push_back({ComplexVector{{a, contact.point, b}}, Cell::in_line});
   }
   const auto id_a = [](const ContactForce& contact) { return contact.a.id(); };
   const auto id_b = [](const ContactForce& contact) { return contact.b.id(); };

@@ -189,6 +189,27 @@ class Animation(unittest.TestCase):
                 np.testing.assert_allclose(distances[:3], 0, atol=1e-9)
         self.assertGreater(outside, len(paths))
 
+    def test_contacts_in_a_cell_join_the_images_that_touch(self):
+        """A rod longer than the cell touches a disk and its own image; other images are nearer."""
+        still = [0] * 6
+        frame = [0, [[2, 6, 0.8, *still], [-3.4, 1.6, 0, *still]], [still],
+                 [[0, 1, 3.5, 7.5, 1, 0, 7, 1], [0, 0, 3.7, 7.2, 1, 0, 1, 0]], [0, 0, 1, 0, 0, 6]]
+        text = page.read_text()
+        touching = page.with_name("touching.html")
+        touching.write_text(text[:text.index(FRAME)] + FRAME + json.dumps(frame) + "</script>")
+        self.open(touching)
+        # Middles of lines from (0, 0) and (1.6, 1.6) to (1.5, 1.5), and from (0, 0) and (1, 0) to
+        # (1.7, 1.2).
+        middles = [[0.75, 0.75], [1.55, 1.55], [0.85, 0.6], [1.35, 0.6]]
+        pixels = tab.evaluate(f"{middles}.map(point => player.view.toPixel(...point))")
+        found = tab.evaluate(f"{pixels}.map(pixel => "
+                             "player.view.pick(player.state, ...pixel, true))")
+        self.assertEqual([part.get("contact") for part in found], [0, 0, 1, 1])
+        shown = [self.colour_at(*pixel) for pixel in pixels]
+        self.run_js("document.getElementById('contacts').click()")
+        for pixel, colour in zip(pixels, shown):
+            self.assertNotEqual(self.colour_at(*pixel), colour)
+
     def test_walls_turn(self):
         self.open()
         turned = self.run_js("player.seek(7), player.state.walls[0][2]")

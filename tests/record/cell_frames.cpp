@@ -25,7 +25,7 @@ Outline disk(double radius) {
   return made;
 }
 
-// Disks of which two touch through an edge of the cell; the second one has left it on its path.
+// Disks of which two touch through an edge of the cell; both have left it on their paths.
 Frame frame_in_a_cell() {
   const Lattice lattice(a1, a2);
   Frame frame;
@@ -33,10 +33,17 @@ Frame frame_in_a_cell() {
       second{centre + Complex{-1.0, 0.2}, 0.0, {0.2, -0.1}, 0.0, {}, 0.0};
   const BodyState third{centre + Complex{0.2, 1.1}, 0.0, {0.1, 0.1}, 0.0, {}, 0.0};
   frame.bodies = {first, second, third};
+  frame.bodies[0].position += 2.0 * a2 - a1;
   frame.bodies[1].position += 2.0 * a1 - 5.0 * a2;
   frame.bodies[1].velocity = {-12.3, -0.1};
-  frame.contacts = {
-      {{false, 0}, {false, 1}, centre + Complex{1.7, 0.2} + 4.0 * a2, -1.0, 2.0, 0.0}};
+  frame.contacts = {{{false, 0},
+                     {false, 1},
+                     centre + Complex{1.7, 0.2} + 2.0 * a2 - a1,
+                     -1.0,
+                     2.0,
+                     0.0,
+                     {-2, 7},
+                     7.0 * a2 - 2.0 * a1}};
   frame.tracers = {centre + Complex{0.1, 0.9} - 3.0 * a1};
   frame.cell = FrameCell{lattice, centre, {first, second, third}};
   return frame;
@@ -56,12 +63,38 @@ BOOST_AUTO_TEST_CASE(images_replace_paths) {
   BOOST_TEST((images.bodies[1].velocity == Complex{0.2, -0.1}));
   BOOST_TEST(std::abs(images.tracers[0] - (centre + Complex{0.1, 0.9})) < 1e-13);
   // The contact is next to the first body, as is the image of the second one.
-  const Complex contact = centre + Complex{1.7, 0.2};
-  BOOST_TEST(std::abs(images.contacts[0].point - contact) < 1e-13);
-  BOOST_TEST(std::abs(place_in_contact(images, {false, 0}, contact) - images.bodies[0].position) <
-             1e-13);
-  BOOST_TEST(std::abs(place_in_contact(images, {false, 1}, contact) -
-                      (images.bodies[1].position + a1)) < 1e-13);
+  const ContactForce& contact = images.contacts[0];
+  BOOST_TEST(std::abs(contact.point - (centre + Complex{1.7, 0.2})) < 1e-13);
+  const auto [a, b] = contact_ends(images, contact);
+  BOOST_TEST((a == images.bodies[0].position));
+  BOOST_TEST(std::abs(b - (images.bodies[1].position + a1)) < 1e-13);
+}
+
+// A rod longer than the cell touches its own image and, at its tip, a disk. Other images of both
+// bodies are nearer to these contacts than those that touch.
+BOOST_AUTO_TEST_CASE(contacts_of_bodies_longer_than_the_cell) {
+  const Complex right{1.0, 0.0}, up{0.0, 6.0}, tip{1.5, 1.5}, side{1.7, 1.2};
+  const Complex rod_moved = 2.0 * right + up, disk_moved = -3.0 * right, beside{1.6, 1.6};
+  const BodyState rod{0.0, 0.8, {}, 0.0, {}, 0.0}, disk{{-0.4, 1.6}, 0.0, {}, 0.0, {}, 0.0};
+  Frame frame;
+  frame.cell = FrameCell{Lattice(right, up), 0.0, {rod, disk}};
+  frame.bodies = {rod, disk};
+  frame.bodies[0].position += rod_moved;
+  frame.bodies[1].position += disk_moved;
+  const Complex shift = beside + rod_moved - frame.bodies[1].position;
+  frame.contacts = {
+      {{false, 0}, {false, 1}, tip + rod_moved, -1.0, 2.0, 0.0, {7, 1}, shift},
+      {{false, 0}, {false, 0}, side + rod_moved, -1.0, 2.0, 0.0, {1, 0}, right},
+  };
+  const Frame images = in_cell(frame);
+  const auto check = [&](const ContactForce& contact, Complex point, Complex a, Complex b) {
+    const auto ends = contact_ends(images, contact);
+    BOOST_TEST(std::abs(contact.point - point) < 1e-13);
+    BOOST_TEST(std::abs(ends[0] - a) < 1e-13);
+    BOOST_TEST(std::abs(ends[1] - b) < 1e-13);
+  };
+  check(images.contacts[0], tip, rod.position, beside);
+  check(images.contacts[1], side, rod.position, rod.position + right);
 }
 
 BOOST_AUTO_TEST_CASE(tables_list_paths_and_polygons_are_images) {
@@ -87,6 +120,7 @@ BOOST_AUTO_TEST_CASE(tables_list_paths_and_polygons_are_images) {
   const std::string page = read(run / "animation.html");
   BOOST_TEST(contains(page, ",[10,-4,3,0,7,2.5]]</script>"));
   BOOST_TEST(contains(page, ",[-20,-16.3,0,0.2,-0.1,0,0,0,0],"));
+  BOOST_TEST(contains(page, ",[[0,1,22.7,1.2,2,0,-2,7]],"));
 }
 
 // The picture shows the bodies, the six corners of the cell, and the images that meet the rectangle

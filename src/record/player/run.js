@@ -39,14 +39,18 @@ class Lattice {
   }
 }
 
-// Replaces bodies and contacts of a state by their images in its periodic cell, if it has one.
+// Replaces bodies and contacts of a state by their images in its periodic cell, if it has one. The
+// last two numbers of a contact become the place of the second body's image in contact.
 function inCell(state) {
   if (!state.cell) return state;
   const lattice = new Lattice(state.cell);
   const bodies = state.bodies.map(
     body => [...lattice.near(body, lattice.centre), ...body.slice(THETA)]);
-  const contacts = state.contacts.map(
-    ([a, b, x, y, ...values]) => [a, b, ...lattice.near([x, y], bodies[a]), ...values]);
+  const contacts = state.contacts.map(([a, b, x, y, force, gap, i, j]) => {
+    const moved = sum(bodies[a], -1, state.bodies[a]);
+    const image = sum(sum(state.bodies[b], i, state.cell.slice(2, 4)), j, state.cell.slice(4));
+    return [a, b, ...sum([x, y], 1, moved), force, gap, ...sum(image, 1, moved)];
+  });
   return {...state, bodies, contacts, lattice};
 }
 
@@ -67,6 +71,10 @@ function readRun() {
 
 // Returns the state of a body (k >= 0) or wall (-1, -2, ...) in a frame.
 const stateIn = (frame, k) => k < 0 ? frame.walls[-1 - k] : frame.bodies[k];
+
+// Returns the places of the bodies in contact; in a periodic cell, that of the second one's image.
+const contactEnds = ({bodies}, [a, b, , , , , ...image]) =>
+  [bodies[a], image.length ? image : bodies[b]].filter(place => place);
 
 const between = (from, to, part) => from.map((x, i) => x + part * (to[i] - x));
 
@@ -91,10 +99,10 @@ function stateAt(frames, place) {
     walls: from.walls.map((wall, i) => between(wall, to.walls[i], part)),
     cell: from.cell && between(from.cell, to.cell, part),
   };
-  state.contacts = near.contacts.map(([a, b, x, y, force, gap]) => {
+  state.contacts = near.contacts.map(([a, b, x, y, ...values]) => {
     const carrier = a >= 0 ? a : b;
     const point = carried([x, y], stateIn(near, carrier), stateIn(state, carrier));
-    return [a, b, ...point, force, gap];
+    return [a, b, ...point, ...values];
   });
   return state;
 }

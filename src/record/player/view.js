@@ -251,12 +251,10 @@ class View {
     state.contacts.forEach((contact, k) => {
       context.strokeStyle = picked?.contact === k ? colours.accent : colours.contact;
       context.lineWidth = Math.max(0.75, 6 * contact[FORCE] / this.topForce) / this.scale;
-      for (const party of [contact[A], contact[B]]) {
-        if (party < 0) continue;
+      for (const [x, y] of contactEnds(state, contact)) {
         context.beginPath();
-        const [x, y] = state.bodies[party], point = [contact[CONTACT_X], contact[CONTACT_Y]];
-        context.moveTo(...state.lattice?.near([x, y], point) ?? [x, y]);
-        context.lineTo(...point);
+        context.moveTo(x, y);
+        context.lineTo(contact[CONTACT_X], contact[CONTACT_Y]);
         context.stroke();
       }
     });
@@ -309,9 +307,7 @@ class View {
 
   // Returns whether a point is within some pixels of a contact's lines.
   isOn(state, contact, x, y) {
-    return [contact[A], contact[B]].some(party => {
-      if (party < 0) return false;
-      const [ax, ay] = state.bodies[party];
+    return contactEnds(state, contact).some(([ax, ay]) => {
       const dx = contact[CONTACT_X] - ax, dy = contact[CONTACT_Y] - ay;
       const along = Math.min(Math.max(((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy), 0), 1);
       return this.scale * Math.hypot(x - ax - along * dx, y - ay - along * dy) < 4;
