@@ -199,11 +199,13 @@ Measurement neighbours(const Scene& scene, const BodyFrames& frames) {
   MatrixXd at_bodies = zeros(frames, std::ssize(limits)), at_walls = at_bodies;
   for (std::size_t f = 0; f < frames.t.size(); ++f) {
     const std::optional<PeriodicCell> cell = cell_at(scene, frames.t[f]);
+    const std::optional<Lattice> lattice = lattice_at(scene, frames.t[f]);
     for (std::size_t k = 0; k < bodies; ++k) {
       const BodyState& body = frames.bodies[f][k];
-      configuration[k] = {body.position, body.orientation};
+      configuration[k] = {
+          lattice ? lattice->wrap(body.position, cell_centre(scene)) : body.position,
+          body.orientation};
     }
-    if (cell) configuration = in_cell(scene, *cell, std::move(configuration));
     for (const auto& [a, b, closest, shift] :
          gaps_within(configuration, discretisation, limits.back(), cell)) {
       if (a >= bodies) continue;  // the gap of two walls

@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_SUITE(forcing)
 BOOST_AUTO_TEST_CASE(amplitudes) {
   Scene sheared = scene({body(Circle{1.0}, 16, 0.0)}, ShearFlow{1.0});
   const auto flow = [&](double t, double begin) {
-    return forcing_at(sheared, SuspensionSolver(sheared).discretisation(), {t, begin}, {{}}).flow;
+    return SuspensionSolver(sheared).instant({{}}, {t, begin}).forcing.flow;
   };
   BOOST_TEST(flow(3.0, 3.0) == 1.0);
   sheared.flow_amplitude = SteppedAmplitude{{0.0, 1.0, 2.0}, {2.0, -3.0, 0.5}};

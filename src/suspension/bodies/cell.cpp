@@ -78,12 +78,6 @@ std::vector<PathShift> path_shifts(const Scene& scene, const PeriodicCell& cell,
   return shifts;
 }
 
-Configuration in_cell(const Scene& scene, const PeriodicCell& cell, Configuration paths) {
-  const Lattice lattice = lattice_of(cell);
-  for (Pose& pose : paths) pose.position = lattice.wrap(pose.position, cell_centre(scene));
-  return paths;
-}
-
 std::optional<LatticeStep> lattice_step(const std::optional<Lattice>& start,
                                         const std::optional<Lattice>& end) {
   return start ? std::optional(LatticeStep{*start, *end}) : std::nullopt;

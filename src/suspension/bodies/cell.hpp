@@ -42,9 +42,6 @@ std::optional<Lattice> lattice_at(const Scene& scene, double t);
 std::vector<PathShift> path_shifts(const Scene& scene, const PeriodicCell& cell,
                                    const Configuration& paths);
 
-/// Moves components on paths to their images in the cell.
-Configuration in_cell(const Scene& scene, const PeriodicCell& cell, Configuration paths);
-
 /// The lattices at the beginning and at the end of a step.
 struct LatticeStep {
   Lattice start;  ///< at the beginning

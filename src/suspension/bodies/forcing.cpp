@@ -7,7 +7,6 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 #include "suspension/bodies/components.hpp"
 
@@ -107,15 +106,12 @@ void add(Load& load, Complex force, Complex offset) {
 // Adds the repulsion to both components of each pair: forces and torques of the two are equal and
 // opposite. In a periodic cell, the force on an image of b acts on b.
 void add_repulsion(std::vector<Load>& loads, const Scene& scene,
-                   const Discretisation& discretisation, const StepTime& time,
-                   Configuration configuration) {
-  const std::optional<PeriodicCell> cell = cell_at(scene, time.t);
-  if (cell) configuration = in_cell(scene, *cell, std::move(configuration));
-  for (const auto& [gap, force] : repelled_pairs(scene, discretisation, configuration, cell)) {
+                   const Discretisation& discretisation, const Instant& instant) {
+  for (const auto& [gap, force] : repelled_pairs(scene, discretisation, instant)) {
     const auto& [a, b, closest, shift] = gap;
     const auto act = [&](std::size_t k, Complex own, Complex point) {
       if (component_of(scene, k).kind != ComponentKind::free_body) return;
-      add(loads[k], own, point - configuration[k].position);
+      add(loads[k], own, point - instant.configuration[k].position);
     };
     act(a, -force, closest.point_a);
     act(b, force, closest.point_b - shift);
@@ -124,7 +120,7 @@ void add_repulsion(std::vector<Load>& loads, const Scene& scene,
 
 // Computes the part of the forcing that changes its sign at reversals.
 Forcing reversible_forcing(const Scene& scene, const Discretisation& discretisation,
-                           const StepTime& time, const Configuration& configuration) {
+                           const StepTime& time, const Instant& instant) {
   Forcing forcing{value(scene.flow_amplitude, time), {}, {}};
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const Body& body = scene.bodies[k];
@@ -137,7 +133,7 @@ Forcing reversible_forcing(const Scene& scene, const Discretisation& discretisat
     const Complex acceleration =
         value(scene.gravity->amplitude, time) * scene.gravity->acceleration;
     add(load, (*body.loads.density - scene.gravity->fluid_density) * area(curve) * acceleration,
-        std::polar(1.0, configuration[k].orientation) * area_centroid(curve));
+        std::polar(1.0, instant.configuration[k].orientation) * area_centroid(curve));
   }
   for (const Wall& wall : scene.walls) forcing.motions.push_back(value(wall.amplitude, time));
   return forcing;
@@ -167,13 +163,12 @@ Forcing scaled(double factor, Forcing forcing) {
 }
 
 std::vector<RepelledPair> repelled_pairs(const Scene& scene, const Discretisation& discretisation,
-                                         const Configuration& configuration,
-                                         const std::optional<PeriodicCell>& cell) {
+                                         const Instant& instant) {
   std::vector<RepelledPair> pairs;
   if (!scene.repulsion) return pairs;
   const auto [strength, range] = *scene.repulsion;
-  for (const Gap& gap :
-       gaps_within(configuration, discretisation, longest_repulsion * range, cell)) {
+  for (const Gap& gap : gaps_within(instant.configuration, discretisation,
+                                    longest_repulsion * range, instant.cell)) {
     const Complex apart = gap.points.point_b - gap.points.point_a;
     if (apart == 0.0) continue;  // curves that touch are refused
     const double force = strength * std::exp(-gap.points.gap / range);
@@ -183,9 +178,9 @@ std::vector<RepelledPair> repelled_pairs(const Scene& scene, const Discretisatio
 }
 
 Forcing forcing_at(const Scene& scene, const Discretisation& discretisation, const StepTime& time,
-                   const Configuration& configuration) {
+                   const Instant& instant) {
   Forcing forcing = scaled(reversal_sign(scene, time.begin),
-                           reversible_forcing(scene, discretisation, time, configuration));
+                           reversible_forcing(scene, discretisation, time, instant));
   Complex field{};
   if (scene.magnetic_field) {
     const auto& [at_start, frequency, amplitude] = *scene.magnetic_field;
@@ -193,15 +188,16 @@ Forcing forcing_at(const Scene& scene, const Discretisation& discretisation, con
   }
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const auto& [amplitude, density, trap, moment] = scene.bodies[k].loads;
-    const auto& [position, orientation] = configuration[k];
     Load& load = forcing.loads[k];
     if (trap) {
-      load.force += trap->stiffness * (trap->centre.value_or(scene.bodies[k].position) - position);
+      load.force += trap->stiffness *
+                    (trap->centre.value_or(scene.bodies[k].position) - instant.path_position(k));
     }
     // The torque m x B, where the moment m turns with the body, and the field B on its own.
+    const double orientation = instant.configuration[k].orientation;
     if (moment != 0.0) load.torque += cross(std::polar(1.0, orientation) * moment, field);
   }
-  if (scene.repulsion) add_repulsion(forcing.loads, scene, discretisation, time, configuration);
+  if (scene.repulsion) add_repulsion(forcing.loads, scene, discretisation, instant);
   return forcing;
 }
 

@@ -61,22 +61,20 @@ struct RepelledPair {
   Complex force;  ///< on b, or its image, force / length; -force acts on a
 };
 
-/// Finds the repulsion of a scene in a configuration: strength exp(-gap / range), along the line
-/// through the closest points. Returns no pairs in scenes without repulsion.
+/// Finds the repulsion of a scene at an instant: strength exp(-gap / range), along the line through
+/// the closest points. Returns no pairs in scenes without repulsion.
 ///
-/// @param  cell  all components repeat with its lattice, and the configuration is that of their
-///               images in the cell; none: nothing repeats
-/// @par Cost     that of gaps_within()
+/// @param  instant  places and lattice; its forcing is not used, here and below
+/// @par Cost        that of gaps_within()
 std::vector<RepelledPair> repelled_pairs(const Scene& scene, const Discretisation& discretisation,
-                                         const Configuration& configuration,
-                                         const std::optional<PeriodicCell>& cell);
+                                         const Instant& instant);
 
-/// Computes the forcing of a scene at a time in a configuration.
+/// Computes the forcing of a scene at a time.
 ///
 /// @param  discretisation  determines areas and gaps, to the accuracy of the trapezoid rule
 /// @par Cost  O(nodes); with repulsion, that of repelled_pairs()
 Forcing forcing_at(const Scene& scene, const Discretisation& discretisation, const StepTime& time,
-                   const Configuration& configuration);
+                   const Instant& instant);
 
 /// Returns the integral over time, from 0 to t, of the factor of the flow of a scene.
 double flow_time(const Scene& scene, double t);

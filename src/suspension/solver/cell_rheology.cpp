@@ -42,7 +42,7 @@ std::vector<PairForce> pair_forces(const SuspensionSolver& solver, const Instant
   std::vector<PairForce> pairs;
   const Configuration& images = instant.configuration;
   for (const auto& [gap, force] :
-       repelled_pairs(solver.scene(), solver.discretisation(), images, instant.cell)) {
+       repelled_pairs(solver.scene(), solver.discretisation(), instant)) {
     const auto& [a, b, points, shift] = gap;
     pairs.push_back({-force, images[a].position - images[b].position - shift, shift});
   }

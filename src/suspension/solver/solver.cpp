@@ -105,13 +105,14 @@ Instant SuspensionSolver::start() const {
 }
 
 Instant SuspensionSolver::instant(Configuration configuration, const StepTime& time) const {
-  Forcing forcing = forcing_at(scene_, discretisation_, time, configuration);
-  Instant instant{std::move(configuration), std::move(forcing), cell_at(scene_, time.t)};
-  if (!instant.cell) return instant;
-  instant.path_shifts = path_shifts(scene_, *instant.cell, instant.configuration);
-  for (std::size_t k = 0; k < instant.configuration.size(); ++k) {
-    instant.configuration[k].position -= instant.path_shifts[k].vector;
+  Instant instant{std::move(configuration), {}, cell_at(scene_, time.t)};
+  if (instant.cell) {
+    instant.path_shifts = path_shifts(scene_, *instant.cell, instant.configuration);
+    for (std::size_t k = 0; k < instant.configuration.size(); ++k) {
+      instant.configuration[k].position -= instant.path_shifts[k].vector;
+    }
   }
+  instant.forcing = forcing_at(scene_, discretisation_, time, instant);
   return instant;
 }
 
