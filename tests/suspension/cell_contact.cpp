@@ -220,6 +220,35 @@ BOOST_AUTO_TEST_CASE(another_image_of_a_body) {
   for (const StepInfo& step : run.steps) BOOST_TEST(std::abs(step.contact_power) < 0.1);
 }
 
+// By Euler's method the power of a step is the work of its forces on both members of a contact over
+// their displacements, of which the lattice causes a part. Bodies that slide past each other at a
+// kept gap take out F d^2 / (2 R) with the distance R of their centres.
+BOOST_AUTO_TEST_CASE(power_includes_the_motion_of_images) {
+  const Complex a1 = 1.0, a2{0.3, 1.0};
+  Scene scene = over(pair_of_images(), 0.2, 0.1);
+  scene.solver.tolerance = 1e-5;
+  scene.bodies[1].position += 3.0 * a1 - 2.0 * a2;
+  const RecordedRun run = recorded_run(scene);
+  BOOST_TEST_REQUIRE(run.steps.size() >= 2);
+  BOOST_TEST_REQUIRE(run.frames.size() == run.steps.size() + 1);
+  for (std::size_t k = 0; k < run.steps.size(); ++k) {
+    const StepInfo& step = run.steps[k];
+    BOOST_TEST_REQUIRE(run.frames[k].contacts.size() == 1);
+    const ContactForce& contact = run.frames[k].contacts[0];
+    const auto apart = [&](const Frame& frame) {
+      const Complex w = static_cast<double>(contact.image.first) * a1 +
+                        static_cast<double>(contact.image.second) * (a2 + frame.t);
+      return frame.bodies[0].position - frame.bodies[1].position - w;
+    };
+    const Complex before = apart(run.frames[k]), slid = apart(run.frames[k + 1]) - before;
+    const double work = contact.force * dot(contact.normal, slid);
+    BOOST_TEST(step.dt * step.contact_power == work, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(work == -contact.force * std::norm(slid) / (2.0 * std::abs(before)),
+               boost::test_tools::tolerance(1e-3));
+    BOOST_TEST(step.energy_injected == 0.0);
+  }
+}
+
 // A load turns an ellipse until it touches its own image. Contact is then a torque, which stops the
 // rotation.
 BOOST_AUTO_TEST_CASE(own_image) {

@@ -195,6 +195,22 @@ BOOST_AUTO_TEST_CASE(frames_have_paths_and_images) {
   }
 }
 
+// A trap pulls a body from its path, although the repulsion acts on its image in the cell.
+BOOST_AUTO_TEST_CASE(traps_pull_paths) {
+  Scene made = two_bodies();
+  const SuspensionSolver free(made);
+  const Complex centre{0.1, 0.2};
+  made.bodies[0].loads.trap = Trap{2.0, centre};
+  const SuspensionSolver trapped(made);
+  Configuration paths = free.start().configuration;
+  paths[0].position += 3.0 * a1 - a2;
+  const auto force = [&](const SuspensionSolver& solver) {
+    return solver.instant(paths).forcing.loads[0].force;
+  };
+  const Complex pull = 2.0 * (centre - paths[0].position);
+  BOOST_TEST(std::abs(force(trapped) - force(free) - pull) < 1e-12);
+}
+
 // The forces and torques of the repulsion are minus the derivatives of its energy, the sum of
 // strength range exp(-gap / range) over all pairs with images.
 BOOST_AUTO_TEST_CASE(repulsion_has_an_energy) {
