@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include "closure/bordered_system.hpp"
 #include "closure/closure.hpp"
@@ -20,6 +20,7 @@
 #include "record/atomic_file.hpp"
 #include "record/svg.hpp"
 #include "study/plot.hpp"
+#include "support/spectra.hpp"
 #include "trapezoid/curve.hpp"
 
 using namespace stokesbook;
@@ -152,7 +153,7 @@ std::string eigenvalues(const MatrixXd& matrix, const std::string& name, Complex
   const auto pixel = [&](Complex z) { return origin + scale * std::conj(z); };
   const Complex zero = pixel(0.0);
   std::string rings;
-  for (const Complex value : matrix.eigenvalues()) {
+  for (const Complex value : test::eigenvalues(matrix)) {
     const Complex at = pixel(value);
     ComplexVector ring(12);
     for (int j = 0; j < 12; ++j) ring[j] = at + std::polar(2.5, 0.5236 * j);
