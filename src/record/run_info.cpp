@@ -13,29 +13,29 @@ namespace {
 
 nlohmann::ordered_json totals_of(const RunInfo& info) {
   const RunTotals& totals = info.totals;
-  nlohmann::ordered_json json = {{"steps", totals.steps},
-                                 {"rejected_steps", totals.rejected_steps},
-                                 {"solves", totals.solves},
-                                 {"gmres_iterations", totals.gmres_iterations},
-                                 {"matvecs", totals.matvecs}};
+  nlohmann::ordered_json entries = {{"steps", totals.steps},
+                                    {"rejected_steps", totals.rejected_steps},
+                                    {"solves", totals.solves},
+                                    {"gmres_iterations", totals.gmres_iterations},
+                                    {"matvecs", totals.matvecs}};
   if (info.has_contact) {
-    json.update({{"ncp_iterations", totals.ncp_iterations},
-                 {"contact_solves", totals.contact_solves},
-                 {"contact_seconds", totals.contact_seconds},
-                 {"halved_by_contact", totals.halved_by_contact},
-                 {"largest_force_imbalance", totals.largest_force_imbalance},
-                 {"largest_torque_imbalance", totals.largest_torque_imbalance},
-                 {"energy_injected", totals.energy_injected}});
+    entries.update({{"ncp_iterations", totals.ncp_iterations},
+                    {"contact_solves", totals.contact_solves},
+                    {"contact_seconds", totals.contact_seconds},
+                    {"halved_by_contact", totals.halved_by_contact},
+                    {"largest_force_imbalance", totals.largest_force_imbalance},
+                    {"largest_torque_imbalance", totals.largest_torque_imbalance},
+                    {"energy_injected", totals.energy_injected}});
   }
-  return json;
+  return entries;
 }
 
 /// Reads an entry of the file; json::parse() and the conversion throw errors about its contents.
 template <class Value>
 Value read_entry(const std::filesystem::path& path, const char* pointer) {
   try {
-    const nlohmann::json json = nlohmann::json::parse(read_text(path));
-    return json.at(nlohmann::json::json_pointer(pointer)).get<Value>();
+    const nlohmann::json entries = nlohmann::json::parse(read_text(path));
+    return entries.at(nlohmann::json::json_pointer(pointer)).get<Value>();
   } catch (const nlohmann::json::exception& damage) {
     throw RecordError(path, "is damaged: " + std::string(damage.what()));
   }
@@ -44,7 +44,7 @@ Value read_entry(const std::filesystem::path& path, const char* pointer) {
 }  // namespace
 
 std::string to_json(const RunInfo& info) {
-  nlohmann::ordered_json json = {
+  nlohmann::ordered_json entries = {
       {"version", info.version},
       {"git_hash", info.git_hash},
       {"compiler", info.compiler},
@@ -64,13 +64,13 @@ std::string to_json(const RunInfo& info) {
       {"exit_status", nullptr},
       {"message", info.message},
   };
-  if (info.exit_status) json["exit_status"] = *info.exit_status;
+  if (info.exit_status) entries["exit_status"] = *info.exit_status;
   if (const auto& uniform = info.uniform_velocity) {
-    json["uniform_velocity"] = {uniform->real(), uniform->imag()};
+    entries["uniform_velocity"] = {uniform->real(), uniform->imag()};
   }
   // A path in a message may have bytes that are not UTF-8. The library replaces these bytes; it
   // would throw otherwise, and the file would be lost.
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  return entries.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 std::optional<int> exit_status_of(const std::filesystem::path& run) {

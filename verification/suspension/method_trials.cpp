@@ -75,7 +75,7 @@ Scene crowd() {
   return until(shipped_crowd(), 0.5);
 }
 
-Scene rotors() {
+Scene four_rotors() {
   return until(shipped_scene("rotors"), 10.0);
 }
 
@@ -191,7 +191,7 @@ Trial by_runge_kutta(const std::string& key, const std::string& title, Scene (*s
           .least = Size::quick};
 }
 
-const Trial rotors_trial = by_runge_kutta("rotors", "Four rotors at t = 10", rotors),
+const Trial rotors_trial = by_runge_kutta("rotors", "Four rotors at t = 10", four_rotors),
             sedimentation_trial = by_runge_kutta(
                 "sedimentation", "A sedimenting pair in a container at t = 3", sedimentation);
 
