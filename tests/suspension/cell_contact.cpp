@@ -147,8 +147,7 @@ BOOST_AUTO_TEST_CASE(one_force_between_a_disk_and_an_image) {
                         lattice_at(solver.scene(), 0.0)};
   const double dt = 0.01;
   const CloserGaps none;
-  const ContactStage stage{.index = 0,
-                           .t = 0.0,
+  const ContactStage stage{.t = 0.0,
                            .dt = dt,
                            .start = start,
                            .acting = start,

@@ -28,11 +28,10 @@ bool is_movable_pair(const Discretisation& discretisation, std::size_t a, std::s
 /// The mean velocity of the step is `known_velocity`, plus `share` times the velocity of the flow
 /// and of contact at `acting`. Velocities are packed by to_state().
 struct ContactStage {
-  std::size_t index;  ///< in its step, 0 or 1
-  double t;           ///< time at which the forces act
-  double dt;          ///< length of the step
-  Placement start;    ///< placement at the beginning of the step
-  Placement acting;   ///< placement in which forces act and the mobility is evaluated
+  double t;          ///< time at which the forces act
+  double dt;         ///< length of the step
+  Placement start;   ///< placement at the beginning of the step
+  Placement acting;  ///< placement in which forces act and the mobility is evaluated
   std::optional<Lattice> end_lattice;  ///< at the end of the step
   double share;                        ///< part of the step during which the forces act, 1 or 1/2
   Eigen::VectorXd known_velocity;      ///< from the stage before; zero in the first stage

@@ -57,15 +57,15 @@ StageContact ContactStages::find_forces(ContactStage problem, const Solution& fl
   SolveMemory& memory = instants_.memory();
   ContactMobility mobility(solver_, flow, memory.columns, memory.gmres_tolerance);
   problem.free_velocity = problem.known_velocity + problem.share * to_rate(flow);
-  problem.guess = memory.contact_velocities[problem.index];
+  Eigen::VectorXd& latest = memory.contact_velocities[problem.share < 1.0 ? 1 : 0];  // by stage
+  problem.guess = latest;
   StageContact found;
   found.outcome =
       with_time_in_errors(problem.t, [&] { return contact_.resolve(problem, mobility); });
   found.cost = mobility.cost();
   memory.columns = mobility.columns();
   if (found.outcome.is_resolved()) {
-    memory.contact_velocities[problem.index] =
-        (found.outcome.result.velocity - problem.free_velocity) / problem.share;
+    latest = (found.outcome.result.velocity - problem.free_velocity) / problem.share;
     found.solution = mobility.loaded_solution(found.outcome.result.multipliers);
   }
   found.seconds = seconds_since(begin);

@@ -154,8 +154,7 @@ StepStart ContactSteps::begin(const RunState& state, TimedSolution flow, double 
   const VectorXd at_rest = VectorXd::Zero(3 * std::ssize(here.paths));
   StageSolution stage{std::move(flow)};
   while (true) {
-    const ContactStage problem{.index = 0,
-                               .t = t,
+    const ContactStage problem{.t = t,
                                .dt = t_end - t,
                                .start = here,
                                .acting = here,
@@ -237,7 +236,6 @@ ContactSteps::SecondStage ContactSteps::second_stage(const RunState& state, cons
   const Placement acting =
       placement(start.t_end, admitted_configuration(solver_, start.t_end, predicted));
   const ContactStage problem{
-      .index = 1,
       .t = start.t_end,
       .dt = dt,
       .start = placement(state.now.t, configuration_of(solver_, state.now.state)),
