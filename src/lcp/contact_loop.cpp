@@ -29,7 +29,7 @@ using SparseRow = Eigen::SparseVector<double, Eigen::RowMajor>;
 // The linear constraint clearance + dt gradient . U >= 0, with c of (11.10) for the clearance, and
 // the gap at the velocity of the linearisation.
 struct LinearisedGap {
-  double gap, clearance;
+  double gap, clearance, at_rest;
   SparseRow gradient, force_gradient;
 };
 
@@ -56,6 +56,7 @@ std::string contact_point(const ContactKey& key) {
 ContactRows evaluate_rows(const ContactStep& step, const VectorXd& velocity) {
   ContactRows rows = step.rows(velocity);
   if (rows.force_gradient.size() == 0) rows.force_gradient = rows.gradient;
+  if (rows.at_rest.size() == 0) rows.at_rest = VectorXd::Zero(rows.gap.size());
   const Index m = rows.gap.size(), n = velocity.size();
   const auto fits = [&](const GapGradient& gradient) {
     return gradient.rows() == m && (m == 0 || gradient.cols() == n);
@@ -78,7 +79,7 @@ LinearisedGaps linearise(const ContactRows& rows, const VectorXd& velocity, doub
   LinearisedGaps gaps;
   for (Index i = 0; i < rows.gap.size(); ++i) {
     const ContactKey key = rows.keys[static_cast<std::size_t>(i)];
-    const LinearisedGap gap{rows.gap[i], clearance[i], rows.gradient.row(i),
+    const LinearisedGap gap{rows.gap[i], clearance[i], rows.at_rest[i], rows.gradient.row(i),
                             rows.force_gradient.row(i)};
     require(gaps.emplace(key, gap).second, "two rows have the same key: ", contact_point(key));
   }
@@ -93,7 +94,7 @@ double violation(const ContactRows& rows) {
 // The linear problem (11.10) of an iteration, and the velocities that unit forces cause.
 struct LinearProblem {
   std::vector<ContactKey> keys;
-  VectorXd clearance;
+  VectorXd clearance, at_rest;
   GapGradient gradient, force_gradient;
   MatrixXd velocities;  // B J_f^T
   MatrixXd matrix;      // N
@@ -103,11 +104,12 @@ struct LinearProblem {
 LinearProblem assemble_problem(const LinearisedGaps& gaps, const ContactStep& step) {
   const auto m = static_cast<Index>(gaps.size());
   const Index n = step.free_velocity.size();
-  LinearProblem problem{{}, VectorXd(m), GapGradient(m, n), GapGradient(m, n), {}, {}};
+  LinearProblem problem{{}, VectorXd(m), VectorXd(m), GapGradient(m, n), GapGradient(m, n), {}, {}};
   Index i = 0;
   for (const auto& [key, gap] : gaps) {
     problem.keys.push_back(key);
     problem.clearance[i] = gap.clearance;
+    problem.at_rest[i] = gap.at_rest;
     problem.gradient.row(i) = gap.gradient;
     problem.force_gradient.row(i) = gap.force_gradient;
     ++i;
@@ -254,10 +256,10 @@ class ContactLoop {
     const VectorXd free_opening = step_.dt * (problem.gradient * step_.free_velocity);
     LcpProblem lcp{problem.matrix, problem.clearance + free_opening};
     LcpResult solution = options_.solver(lcp, {});
-    // No solution: some c < 0 is an error of the linearisation. Replace c by max(c, 0).
+    // No solution: some c < k is an error of the linearisation. Replace c by max(c, k).
     if (solution.status == LcpStatus::ray) {
       ++result_.rays;
-      lcp.offset = problem.clearance.cwiseMax(0.0) + free_opening;
+      lcp.offset = problem.clearance.cwiseMax(problem.at_rest) + free_opening;
       solution = options_.solver(lcp, {});
     }
     return solution.status == LcpStatus::solved ? solution : fischer_newton(lcp);

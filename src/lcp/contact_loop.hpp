@@ -30,6 +30,7 @@ struct ContactRows {
   /// J_f, m x n: forces are \f$ J_f^T \lambda \f$; 0 x 0: J_f equals J.
   GapGradient force_gradient{};
   std::vector<ContactKey> keys;  ///< m keys, all different
+  Eigen::VectorXd at_rest{};     ///< k, changes of gaps at U = 0 by other motions; empty: none
 };
 
 /// A step without contact, with the functions of geometry and flow that resolve_contact() requires.
@@ -93,7 +94,7 @@ struct ContactResult {
   double kkt_residual = 0.0;
   int iterations = 0;  ///< number of iterations, each with a linear problem
   int columns = 0;     ///< number of forces to which respond() was applied
-  int rays = 0;        ///< linear problems without a solution, in which max(c, 0) replaced c
+  int rays = 0;        ///< linear problems without a solution, in which max(c, k) replaced c
   /// Largest violation at U*, and after each iteration, lengths >= 0.
   std::vector<double> violations{};
 };
@@ -109,8 +110,8 @@ struct ContactResult {
 ///
 /// c is the linearised gap at U = 0. If c >= 0, as for a gap along a straight path, and J_f = J,
 /// there is a solution whose contact forces do no positive work (11.11). If the linear problem ends
-/// in a ray, \f$ \max(c, 0) \f$ replaces c. The gaps themselves are never clipped: the result is
-/// accepted only when all gaps of rows(U) are at least -tolerance.
+/// in a ray, \f$ \max(c, k) \f$ replaces c: k is ContactRows::at_rest, or zero. The gaps themselves
+/// are never clipped: the result is accepted only when all gaps of rows(U) are at least -tolerance.
 ///
 /// A force acts if its effect on its own gap, \f$ N_{ii} \lambda_i \f$, exceeds the tolerance. The
 /// force acts across an open gap if the least gap of all rows at U with the same

@@ -228,6 +228,26 @@ BOOST_AUTO_TEST_CASE(a_linear_problem_without_solution_is_clipped) {
   BOOST_TEST(result.multipliers[0] == 0.0);
 }
 
+BOOST_AUTO_TEST_CASE(known_motions_are_not_clipped) {
+  // The first two gaps are those of the case above. The third one closes by 0.5 unless its own
+  // velocity is at least 0.5: the loop must not take this for an error of the linearisation.
+  ContactStep step =
+      step_of(vector2(2.0, 0.0), 1.0, MatrixXd::Identity(2, 2), [](const VectorXd& velocity) {
+        const double u = velocity[0];
+        RowBuilder builder(2);
+        builder.add({0, 0}, 1.0 - u, vector2(-1.0, 0.0));
+        builder.add({1, 0}, 0.1 - 3.0 * u + 1.2 * u * u, vector2(2.4 * u - 3.0, 0.0));
+        builder.add({2, 0}, velocity[1] - 0.5, vector2(0.0, 1.0));
+        ContactRows rows = builder.rows();
+        rows.at_rest = VectorXd{{0.0, 0.0, -0.5}};
+        return rows;
+      });
+  const ContactResult first = resolve_contact(step, {.max_iterations = 1});
+  BOOST_TEST(first.rays == 1);
+  BOOST_TEST(std::abs(first.velocity[1] - 0.5) < 1e-12);
+  BOOST_TEST(resolved(resolve_contact(step)));
+}
+
 BOOST_AUTO_TEST_CASE(points_that_take_turns_need_earlier_rows) {
   // The rod rests on both ends: the contact forces change the free velocity U* = (-1, 0.3) to
   // U = 0, and each end carries a part of the load.

@@ -47,6 +47,9 @@ struct LatticeStep {
   Lattice start;  ///< at the beginning
   Lattice end;    ///< at the end
 
+  /// Returns by how much an image moves relative to its component, length.
+  Complex displacement(LatticeIndex image) const { return end.vector(image) - start.vector(image); }
+
   /// Returns the vector that a vector of the first lattice becomes in the second one, length.
   Complex at_end(Complex vector) const { return end.vector(start.index(vector)); }
 };

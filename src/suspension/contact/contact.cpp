@@ -267,9 +267,7 @@ ContactOutcome SuspensionContact::resolve(const ContactStage& stage,
     for (const ContactForce& contact : outcome.forces) {
       const Complex force = contact.force * contact.normal;
       torque_of_images += cross(contact.shift, force);
-      outcome.result.power -=
-          dot(force, lattice->end.vector(contact.image) - lattice->start.vector(contact.image)) /
-          stage.dt;
+      outcome.result.power -= dot(force, lattice->displacement(contact.image)) / stage.dt;
     }
   }
   outcome.imbalance = imbalance(result.force, stage.acting.paths, shapes_, torque_of_images);

@@ -41,20 +41,24 @@ Index nearest_vertex(const Polygon& polygon, double parameter) {
 }
 
 // A component that touches its own image has both wrenches in the same entries.
-void add_wrench(GapGradient& gradient, Index i, std::size_t component, const Wrench& wrench) {
-  const auto first = static_cast<Index>(3 * component);
-  gradient.coeffRef(i, first) += wrench.force.real();
-  gradient.coeffRef(i, first + 1) += wrench.force.imag();
-  gradient.coeffRef(i, first + 2) += wrench.torque;
+void insert_row(GapGradient& gradient, Index i, const ContactPair& pair, const PairWrench& row) {
+  for (const bool is_a : {true, false}) {
+    const Wrench& wrench = is_a ? row.on_a : row.on_b;
+    const auto first = static_cast<Index>(3 * (is_a ? pair.a : pair.b));
+    gradient.coeffRef(i, first) += wrench.force.real();
+    gradient.coeffRef(i, first + 1) += wrench.force.imag();
+    gradient.coeffRef(i, first + 2) += wrench.torque;
+  }
 }
 
 Complex middle(const ClosestPoints& points) {
   return 0.5 * (points.point_a + points.point_b);
 }
 
-// The force on the first of two curves acts half way between the closest points.
-UnitForce unit_force(const ClosestPoints& points) {
-  return {middle(points), (points.point_a - points.point_b) / points.gap};
+// The force acts half way between the closest points.
+UnitForce unit_force_on_a(const GapConstraint& constraint, const ClosestPoints& points) {
+  const Complex on_vertex = (points.point_a - points.point_b) / points.gap;
+  return {middle(points), constraint.nearest.of_b ? -on_vertex : on_vertex};
 }
 
 // A component, or an image of it.
@@ -71,17 +75,13 @@ std::pair<PosedComponent, PosedComponent> posed_pair(const GapConstraint& constr
   return constraint.nearest.of_b ? std::pair(posed_b, posed_a) : std::pair(posed_a, posed_b);
 }
 
-// Inserts the row of unit forces that push two components apart at their closest points, with the
-// torques about the components' positions.
-void insert_row(GapGradient& gradient, Index i, const GapConstraint& constraint,
-                const ClosestPoints& points, const Placement& at) {
-  const UnitForce unit = unit_force(points);
-  const auto insert = [&](const PosedComponent& on, Complex force) {
-    add_wrench(gradient, i, on.component, {force, cross(unit.point - on.pose.position, force)});
+// Returns unit forces that push two components apart, with the torques about their positions.
+PairWrench unit_wrenches(const ContactPair& pair, const UnitForce& on_a, const Placement& at) {
+  const auto wrench = [&](const Pose& pose, Complex force) {
+    return Wrench{force, cross(on_a.point - pose.position, force)};
   };
-  const auto [with_vertex, other] = posed_pair(constraint, at);
-  insert(with_vertex, unit.normal);
-  insert(other, -unit.normal);
+  return {wrench(at.paths[pair.a], on_a.normal),
+          wrench(at.image(pair.b, pair.image), -on_a.normal)};
 }
 
 }  // namespace
@@ -157,20 +157,21 @@ ContactRows GapConstraints::rows(const VectorXd& velocity) {
   std::vector<GapConstraint> active = active_constraints(velocity, end);
   const auto m = static_cast<Index>(active.size());
   const GapGradient none(m, velocity.size());
-  ContactRows result{VectorXd(m), none, none, {}};
+  ContactRows result{VectorXd(m), none, none, {}, VectorXd::Zero(m)};
+  const auto lattice = lattice_step(stage_.start.lattice, stage_.end_lattice);
   for (Index i = 0; i < m; ++i) {
     GapConstraint& constraint = active[static_cast<std::size_t>(i)];
-    const ClosestPoints acting = closest(constraint, stage_.acting);
-    insert_row(result.force_gradient, i, constraint, acting, stage_.acting);
-    constraint.force_on_a = unit_force(acting);
-    if (constraint.nearest.of_b) constraint.force_on_a.normal = -constraint.force_on_a.normal;
+    const ContactPair& pair = constraint.pair;
+    constraint.force_on_a = unit_force_on_a(constraint, closest(constraint, stage_.acting));
+    insert_row(result.force_gradient, i, pair,
+               unit_wrenches(pair, constraint.force_on_a, stage_.acting));
+    const PairWrench derivative =
+        constraint.points
+            ? unit_wrenches(pair, unit_force_on_a(constraint, *constraint.points), end)
+            : constraint.row.derivative;
+    insert_row(result.gradient, i, pair, derivative);
     result.gap[i] = constraint.gap;
-    if (constraint.points) {
-      insert_row(result.gradient, i, constraint, *constraint.points, end);
-    } else {
-      add_wrench(result.gradient, i, constraint.pair.a, constraint.row.derivative.on_a);
-      add_wrench(result.gradient, i, constraint.pair.b, constraint.row.derivative.on_b);
-    }
+    if (lattice) result.at_rest[i] = dot(derivative.on_b.force, lattice->displacement(pair.image));
     result.keys.push_back(contact_key(constraint, shapes_.size()));
     constraints_.insert_or_assign(result.keys.back(), constraint);
   }

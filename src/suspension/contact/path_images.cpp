@@ -22,9 +22,8 @@ LatticeIndex negative(LatticeIndex i) {
 }
 
 RigidPath moved(RigidPath path, const LatticeStep& lattice, LatticeIndex index) {
-  const Complex vector = lattice.start.vector(index);
-  path.start.position += vector;
-  path.displacement += lattice.end.vector(index) - vector;
+  path.start.position += lattice.start.vector(index);
+  path.displacement += lattice.displacement(index);
   return path;
 }
 
