@@ -226,10 +226,10 @@ int run_scene(const RunOptions& options) {
   const auto receive_frame = [&](const Frame& frame) {
     directory.write_frame(frame);
     const Complex uniform = frame.rheology.uniform_velocity;
-    if (!std::isnan(uniform.real()) && !scene.cell) info.uniform_velocity = uniform;
+    if (!std::isnan(uniform.real()) && !frame.cell) info.uniform_velocity = uniform;
     if (!options.once || options.quiet) return;
     print_motions(frame);
-    if (scene.cell) print_cell(frame.rheology);
+    if (frame.cell) print_cell(frame.rheology);
   };
   const auto receive_step = [&](const StepInfo& step) {
     directory.write_step(step);
