@@ -240,10 +240,22 @@ BOOST_AUTO_TEST_CASE(flat_contacts_do_not_rock) {
     for (const Frame& frame : run.frames) {
       for (const BodyState& body : frame.bodies) BOOST_TEST(std::abs(body.orientation) < 1e-5);
     }
-    const Frame& end = run.frames.back();
-    BOOST_REQUIRE(!end.contacts.empty());
-    const Complex pressed = contact_load(end, {false, 0}, {}).force;
-    BOOST_TEST(std::abs(pressed - Complex(0.0, 10.0)) < 2e-3 * 10.0);
+    // Each force corrects the errors that the steps before have left in the gap. These errors
+    // change from step to step and do not add up, so that the mean force is the load.
+    std::vector<Complex> forces;
+    for (const Frame& frame : run.frames) {
+      if (frame.contacts.empty()) continue;
+      forces.push_back(contact_load(frame, {false, 0}, {}).force);
+    }
+    BOOST_TEST_REQUIRE(forces.size() > 10);
+    forces.erase(forces.begin());  // contact began in the middle of this step
+    Complex sum{};
+    for (const Complex force : forces) {
+      BOOST_TEST(std::abs(force - Complex(0.0, 10.0)) < 5e-3 * 10.0);
+      sum += force;
+    }
+    BOOST_TEST(std::abs(sum / static_cast<double>(forces.size()) - Complex(0.0, 10.0)) <
+               1e-3 * 10.0);
   }
 }
 
