@@ -8,7 +8,6 @@ Usage: test_example_studies.py PROGRAM ROOT [unittest arguments]
 import csv
 import math
 import pathlib
-import re
 import sys
 import tempfile
 import unittest
@@ -100,13 +99,14 @@ class Studies(unittest.TestCase):
             self.assertLess(without, min(in_wide, in_narrow))
         self.assertGreater(narrow[0]["torque_ratio"] - narrow[0]["torque_ratio_interval"],
                            disks[0]["viscosity"] + disks[0]["viscosity_interval"])
-        # The run of the variation agrees with the table of the page.
+        # The suspension flows with about the viscosity of random placements, without other stresses.
         found = {row["quantity"]: row for row in rows_of(out / "sheared_cell/means.csv")}
-        row = re.search(r"^\| disks \| 0\.3 \| (.*) \|$", PAGE, re.MULTILINE)[1]
-        columns = ("viscosity", "normal_stress_difference", "particle_pressure")
-        for name, cell in zip(columns, row.split(" | "), strict=True):
-            mean, interval = map(float, cell.split(" ± "))
-            self.assertLess(abs(found[name]["mean"] - mean), found[name]["interval"] + interval)
+        at_random = disks[2]
+        self.assertEqual(at_random["area_fraction"], 0.3)
+        self.assertLess(abs(found["viscosity"]["mean"] - at_random["viscosity"]),
+                        found["viscosity"]["interval"] + at_random["viscosity_interval"])
+        for name in "normal_stress_difference", "particle_pressure":
+            self.assertLess(abs(found[name]["mean"]), found[name]["interval"] + 0.1)
 
     def test_study_settling(self):
         out = self.study("settling")
