@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iostream>
 
+#include <CLI/CLI.hpp>
 #include <omp.h>
 
 #include "report.hpp"
@@ -73,12 +74,9 @@ int run_all(const std::string& html) {
 
 int main(int argc, char** argv) {
   omp_set_num_threads(1);
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool has_file = arguments.size() == 2 && arguments[0] == "--html";
-  if (!has_file && !arguments.empty()) {
-    std::cout << "Runs the hard cases of the book, and shows how this build handles them\n"
-                 "  --html FILE    file to which the table is written, too\n";
-    return arguments[0] == "--help" || arguments[0] == "-h" ? 0 : 1;
-  }
-  return stokesbook::verification::hard_cases::run_all(has_file ? arguments[1] : "");
+  CLI::App app{"Runs the hard cases of the book, and shows how this build handles them"};
+  std::string html;
+  app.add_option("--html", html, "file to which the table is written, too");
+  CLI11_PARSE(app, argc, argv);
+  return stokesbook::verification::hard_cases::run_all(html);
 }
