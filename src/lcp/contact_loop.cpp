@@ -61,10 +61,11 @@ ContactRows evaluate_rows(const ContactStep& step, const VectorXd& velocity) {
   const auto fits = [&](const GapGradient& gradient) {
     return gradient.rows() == m && (m == 0 || gradient.cols() == n);
   };
-  require(fits(rows.gradient) && fits(rows.force_gradient) && std::ssize(rows.keys) == m, m,
-          " gaps have gradients of ", rows.gradient.rows(), " x ", rows.gradient.cols(),
-          " (forces ", rows.force_gradient.rows(), " x ", rows.force_gradient.cols(), ") and ",
-          rows.keys.size(), " keys");
+  require(fits(rows.gradient) && fits(rows.force_gradient) && std::ssize(rows.keys) == m &&
+              rows.at_rest.size() == m,
+          m, " gaps have gradients of ", rows.gradient.rows(), " x ", rows.gradient.cols(),
+          " (forces ", rows.force_gradient.rows(), " x ", rows.force_gradient.cols(), "), ",
+          rows.keys.size(), " keys and ", rows.at_rest.size(), " changes at rest");
   for (Index i = 0; i < m; ++i) {
     if (std::isfinite(rows.gap[i])) continue;
     throw std::domain_error("the gap of " + contact_point(rows.keys[static_cast<std::size_t>(i)]) +

@@ -162,6 +162,14 @@ BOOST_AUTO_TEST_CASE(bad_input_throws) {
     return builder.rows();
   };
   BOOST_CHECK_THROW(resolve_contact(step), std::invalid_argument);
+  step.rows = [](const VectorXd&) {
+    RowBuilder builder(1);
+    builder.add({0, 0}, -1.0, VectorXd::Ones(1));
+    ContactRows rows = builder.rows();
+    rows.at_rest = VectorXd::Zero(2);
+    return rows;
+  };
+  BOOST_CHECK_THROW(resolve_contact(step), std::invalid_argument);
   step = misled(1.0);
   step.respond = [](const Eigen::SparseMatrix<double>&) { return MatrixXd::Ones(2, 2).eval(); };
   BOOST_CHECK_THROW(resolve_contact(step), std::invalid_argument);
