@@ -7,15 +7,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "double_layer/double_layer.hpp"
-#include "double_layer/kernels.hpp"
+#include "preconditioning/coupling_blocks.hpp"
 #include "trapezoid/require.hpp"
 
 namespace stokesbook {
@@ -40,103 +38,35 @@ double basis_tolerance(double gap) {
   return std::min(0.1, 0.3 * std::sqrt(gap));
 }
 
-// Evaluates at points the flows of the loads F = -4 pi mu U and L = -4 pi mu a^2 omega, for the
-// unit motions U_1, U_2 and a omega. The viscosity cancels.
-MatrixXd load_flows(const ComplexVector& points, Complex centre, double a, double gauge) {
-  MatrixXd flows(2 * points.size(), 3);
-  const double scale = -4.0 * std::numbers::pi;
-  for (Index k = 0; k < 3; ++k) {
-    ComplexVector velocity(points.size());
-    for (Index i = 0; i < points.size(); ++i) {
-      const Complex r = points[i] - centre;
-      velocity[i] = k == 2 ? rotlet(r, scale * a, 1.0)
-                           : stokeslet(r, scale * (k == 0 ? Complex{1.0} : imaginary), 1.0, gauge);
-    }
-    flows.col(k) = interleaved(velocity);
-  }
-  return flows;
+// Returns for every component whether the form of the clusters holds it.
+std::vector<bool> held_components(const StokesProblem& problem, ClusterForm form) {
+  std::vector<bool> held;
+  for (const Component& component : problem.components) held.push_back(is_held(component, form));
+  return held;
 }
 
-// Multiplies interleaved plane vectors, one per column, by e^{i angle}.
-MatrixXd turned(const MatrixXd& columns, double angle) {
-  MatrixXd result(columns.rows(), columns.cols());
-  const double c = std::cos(angle), s = std::sin(angle);
-  const auto x = Eigen::seq(0, columns.rows() - 2, 2), y = Eigen::seq(1, columns.rows() - 1, 2);
-  result(x, Eigen::all) = c * columns(x, Eigen::all) - s * columns(y, Eigen::all);
-  result(y, Eigen::all) = s * columns(x, Eigen::all) + c * columns(y, Eigen::all);
-  return result;
-}
-
-// Multiplies columns by A_0^{-1} of a component, in the frame of the plane.
-MatrixXd solved_alone(const Member& member, const MatrixXd& columns) {
-  const double angle = member.orientation;
-  return turned(*member.inverse * turned(columns, -angle), angle);
-}
-
-// Multiplies rows by A_0^{-1} of a component, in the frame of the plane.
-MatrixXd times_inverse(const MatrixXd& rows, const Member& member) {
-  const double angle = member.orientation;
-  const MatrixXd own_frame = turned(rows.transpose(), -angle).transpose() * *member.inverse;
-  return turned(own_frame.transpose(), angle).transpose();
-}
-
-// The blocks B A_0 of the operator (I + B) A_0 between different components, for the set-up.
-class ClusterOperator {
- public:
-  ClusterOperator(const StokesProblem& problem, ClusterForm form, const std::vector<Member>& alone,
-                  const LayerBlock& layer)
-      : problem_(problem), form_(form), alone_(alone), layer_(layer), gauge_(held_gauge(problem)) {
-    for (const Component& component : problem.components) {
-      modes_.push_back(is_inner(component) ? rigid_mode_matrices(component.curve, component.centre)
-                                           : RigidModeMatrices{});
-    }
+// Returns the directions Q of a component that couple it to its neighbours: eigenvectors of the
+// sum of B^T B and B B^T over the neighbours with eigenvalues above tau^2, where the operator is
+// (I + B) A_0.
+MatrixXd basis_of(std::size_t own, const std::vector<Neighbour>& neighbours,
+                  const CouplingBlocks& coupling_blocks, const std::vector<Member>& alone) {
+  const Index size = alone[own].inverse->rows();
+  MatrixXd gram = MatrixXd::Zero(size, size);
+  auto products = gram.selfadjointView<Eigen::Upper>();
+  double least_gap = std::numeric_limits<double>::infinity();
+  for (const auto& [other, gap] : neighbours) {
+    products.rankUpdate(times_inverse(coupling_blocks(other, own), alone[own]).transpose());
+    products.rankUpdate(times_inverse(coupling_blocks(own, other), alone[other]));
+    least_gap = std::min(least_gap, gap);
   }
-
-  const RigidModeMatrices& modes(std::size_t component) const { return modes_[component]; }
-
-  // D (I - P), and the flows S Pi of the source's loads if the source is held (13.4).
-  MatrixXd block(const Pair& pair) const {
-    const auto [target, source] = pair;
-    const RigidModeMatrices& rigid = modes_[source];
-    MatrixXd block = layer_(target, source);
-    MatrixXd of_motions = -block * rigid.modes;
-    if (is_held(problem_.components[source], form_)) {
-      of_motions += load_flows(problem_.components[target].curve.x,
-                               problem_.components[source].centre, rigid.radius, gauge_);
-    }
-    block += of_motions * rigid.projection;
-    return block;
-  }
-
-  // Returns the directions Q of a component that couple it to its neighbours: eigenvectors of the
-  // sum of B^T B and B B^T over the neighbours with eigenvalues above tau^2.
-  MatrixXd basis(std::size_t own, const std::vector<Neighbour>& neighbours) const {
-    const Index size = alone_[own].inverse->rows();
-    MatrixXd gram = MatrixXd::Zero(size, size);
-    auto products = gram.selfadjointView<Eigen::Upper>();
-    double least_gap = std::numeric_limits<double>::infinity();
-    for (const auto& [other, gap] : neighbours) {
-      products.rankUpdate(times_inverse(block({other, own}), alone_[own]).transpose());
-      products.rankUpdate(times_inverse(block({own, other}), alone_[other]));
-      least_gap = std::min(least_gap, gap);
-    }
-    const double tolerance = basis_tolerance(least_gap);
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver{MatrixXd(products)};
-    const Index count = (solver.eigenvalues().array() > tolerance * tolerance).count();
-    return solver.eigenvectors().rightCols(count);
-  }
-
- private:
-  const StokesProblem& problem_;
-  ClusterForm form_;
-  const std::vector<Member>& alone_;
-  const LayerBlock& layer_;
-  double gauge_;
-  std::vector<RigidModeMatrices> modes_;
-};
+  const double tolerance = basis_tolerance(least_gap);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver{MatrixXd(products)};
+  const Index count = (solver.eigenvalues().array() > tolerance * tolerance).count();
+  return solver.eigenvectors().rightCols(count);
+}
 
 // Assembles the blocks Q^T B Q of all pairs of components that share a cluster.
-std::map<Pair, MatrixXd> reduced_blocks(const ClusterOperator& system,
+std::map<Pair, MatrixXd> reduced_blocks(const CouplingBlocks& system,
                                         const std::vector<Member>& alone,
                                         const std::vector<std::vector<std::size_t>>& clusters,
                                         const std::vector<MatrixXd>& bases) {
@@ -156,7 +86,7 @@ std::map<Pair, MatrixXd> reduced_blocks(const ClusterOperator& system,
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t p = 0; p < entries.size(); ++p) {
     auto& [pair, block] = *entries[p];
-    block = bases[pair.first].transpose() * (system.block(pair) * solved[pair.second]);
+    block = bases[pair.first].transpose() * (system(pair.first, pair.second) * solved[pair.second]);
   }
   return blocks;
 }
@@ -200,14 +130,16 @@ ClusterPreconditioner::ClusterPreconditioner(const StokesProblem& problem, Clust
                                              const std::vector<std::vector<Neighbour>>& neighbours,
                                              const LayerBlock& layer)
     : alone_(alone), clusters_(alone.size()), bases_(alone.size()), couplings_(alone.size()) {
-  const ClusterOperator system(problem, form, alone, layer);
+  const CouplingBlocks system(problem, held_components(problem, form), held_gauge(problem), layer);
   for (const Index offset : node_offsets(problem)) offsets_.push_back(2 * offset);
   for (std::size_t k = 0; k < alone.size(); ++k) {
     clusters_[k].push_back(k);
     for (const Neighbour& other : neighbours[k]) clusters_[k].push_back(other.component);
   }
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t k = 0; k < alone.size(); ++k) bases_[k] = system.basis(k, neighbours[k]);
+  for (std::size_t k = 0; k < alone.size(); ++k) {
+    bases_[k] = basis_of(k, neighbours[k], system, alone);
+  }
   const std::map<Pair, MatrixXd> blocks = reduced_blocks(system, alone, clusters_, bases_);
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < alone.size(); ++k) {

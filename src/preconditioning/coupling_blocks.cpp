@@ -1,0 +1,80 @@
+// Assembles the blocks D(I - P) + S Pi between different components (13.4), and multiplies by the
+// inverses of own blocks in the frame of the plane.
+#include "preconditioning/coupling_blocks.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "double_layer/double_layer.hpp"
+#include "double_layer/kernels.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+namespace {
+
+// Evaluates at points the flows of the loads F = -4 pi mu U and L = -4 pi mu a^2 omega, for the
+// unit motions U_1, U_2 and a omega. The viscosity cancels.
+MatrixXd load_flows(const ComplexVector& points, Complex centre, double a, double gauge) {
+  MatrixXd flows(2 * points.size(), 3);
+  const double scale = -4.0 * std::numbers::pi;
+  for (Index k = 0; k < 3; ++k) {
+    ComplexVector velocity(points.size());
+    for (Index i = 0; i < points.size(); ++i) {
+      const Complex r = points[i] - centre;
+      velocity[i] = k == 2 ? rotlet(r, scale * a, 1.0)
+                           : stokeslet(r, scale * (k == 0 ? Complex{1.0} : imaginary), 1.0, gauge);
+    }
+    flows.col(k) = interleaved(velocity);
+  }
+  return flows;
+}
+
+// Multiplies interleaved plane vectors, one per column, by e^{i angle}.
+MatrixXd turned(const MatrixXd& columns, double angle) {
+  MatrixXd result(columns.rows(), columns.cols());
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto x = Eigen::seq(0, columns.rows() - 2, 2), y = Eigen::seq(1, columns.rows() - 1, 2);
+  result(x, Eigen::all) = c * columns(x, Eigen::all) - s * columns(y, Eigen::all);
+  result(y, Eigen::all) = s * columns(x, Eigen::all) + c * columns(y, Eigen::all);
+  return result;
+}
+
+}  // namespace
+
+CouplingBlocks::CouplingBlocks(const StokesProblem& problem, std::vector<bool> held, double gauge,
+                               LayerBlock layer)
+    : problem_(problem), held_(std::move(held)), gauge_(gauge), layer_(std::move(layer)) {
+  for (const Component& component : problem.components) {
+    modes_.push_back(is_inner(component) ? rigid_mode_matrices(component.curve, component.centre)
+                                         : RigidModeMatrices{});
+  }
+}
+
+MatrixXd CouplingBlocks::operator()(std::size_t target, std::size_t source) const {
+  const RigidModeMatrices& rigid = modes_[source];
+  MatrixXd block = layer_(target, source);
+  MatrixXd of_motions = -block * rigid.modes;
+  if (held_[source]) {
+    of_motions += load_flows(problem_.components[target].curve.x,
+                             problem_.components[source].centre, rigid.radius, gauge_);
+  }
+  block += of_motions * rigid.projection;
+  return block;
+}
+
+MatrixXd solved_alone(const BlockDiagonalPreconditioner::Member& member, const MatrixXd& columns) {
+  const double angle = member.orientation;
+  return turned(*member.inverse * turned(columns, -angle), angle);
+}
+
+MatrixXd times_inverse(const MatrixXd& rows, const BlockDiagonalPreconditioner::Member& member) {
+  const double angle = member.orientation;
+  const MatrixXd own_frame = turned(rows.transpose(), -angle).transpose() * *member.inverse;
+  return turned(own_frame.transpose(), angle).transpose();
+}
+
+}  // namespace stokesbook
