@@ -184,6 +184,7 @@ std::optional<CellSettings> read_cell(const TableReader& root, const SceneFile& 
     refuse("solver", {"summation"}, "not allowed with [cell], whose images the direct sum lacks");
   }
   if (scene.solver.preconditioner == PreconditionerKind::clusters ||
+      scene.solver.preconditioner == PreconditionerKind::hierarchical ||
       scene.solver.preconditioner == PreconditionerKind::direct) {
     refuse("solver", {"preconditioner"}, "not supported in a periodic cell yet");
   }

@@ -270,6 +270,7 @@ enum class PreconditionerKind {
   none,            ///< no preconditioner
   block_diagonal,  ///< the block of each component, see BlockDiagonalPreconditioner
   clusters,        ///< each component with its neighbours, see ClusterPreconditioner
+  hierarchical,    ///< elimination in a tree of groups, see HierarchicalPreconditioner
   direct           ///< the factorised matrix of the system, see DirectPreconditioner
 };
 

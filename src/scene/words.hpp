@@ -79,11 +79,12 @@ inline constexpr Words<NearSingular, 4> near_singular_schemes{
      {"off", NearSingular::off}}};
 
 /// Words of `preconditioner` in [solver].
-inline constexpr Words<PreconditionerKind, 5> preconditioners{
+inline constexpr Words<PreconditionerKind, 6> preconditioners{
     {{"auto", PreconditionerKind::automatic},
      {"none", PreconditionerKind::none},
      {"block_diagonal", PreconditionerKind::block_diagonal},
      {"clusters", PreconditionerKind::clusters},
+     {"hierarchical", PreconditionerKind::hierarchical},
      {"direct", PreconditionerKind::direct}}};
 
 /// Words of `coupling` in [solver].

@@ -43,7 +43,7 @@ class Races(unittest.TestCase):
                    "output.fields={ box=[0, 0, 10, 10], resolution=20, quantities=['velocity', 'shear_stress'] }")
 
     def test_preconditioners(self):
-        for preconditioner in ("clusters", "direct", "block_diagonal"):
+        for preconditioner in ("clusters", "hierarchical", "direct", "block_diagonal"):
             self.check("two_disks.toml", "time.t_final=0.2", f"solver.preconditioner={preconditioner}")
 
     def test_near_sums_by_interpolation(self):

@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(settings) {
        "interpolation, off, not a boolean"},
       {"[solver]\npreconditioner = 'ilu'\n",
        "s.toml:2:18: solver.preconditioner = \"ilu\": must be one of auto, none, block_diagonal, "
-       "clusters, direct"},
+       "clusters, hierarchical, direct"},
       {"[solver]\ncoupling = 'loose'\n",
        "s.toml:2:12: solver.coupling = \"loose\": must be one of global, local"},
       {"[solver]\ngmres_tolerance = 1e-3\n",

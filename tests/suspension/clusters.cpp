@@ -19,8 +19,12 @@ int iterations(const Scene& scene) {
   return result.iterations;
 }
 
+int iterations_by(const Scene& scene, PreconditionerKind kind) {
+  return iterations(with_preconditioner(scene, kind));
+}
+
 int iterations_by_clusters(const Scene& scene) {
-  return iterations(with_preconditioner(scene, PreconditionerKind::clusters));
+  return iterations_by(scene, PreconditionerKind::clusters);
 }
 
 // Returns an ellipse, a held disk, a free disk and an inner wall, all nearly touching, with further
@@ -65,13 +69,15 @@ BOOST_AUTO_TEST_CASE(solutions_are_those_without_a_preconditioner) {
   const Wall container = outer_wall(Circle{6.0}, automatic_nodes, RotatingWall{-0.4});
   for (const Scene& scene :
        {disk_chain(3e-2), mixed({}), with_gauge(mixed({}), 50.0), mixed({container})}) {
-    const Solved with(with_preconditioner(scene, PreconditionerKind::clusters));
     const Solved without(with_preconditioner(scene, PreconditionerKind::none));
-    BOOST_TEST(2 * with.solution.gmres.iterations < without.solution.gmres.iterations);
-    for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-      BOOST_TEST(std::abs(with.motion(k).velocity - without.motion(k).velocity) < 1e-6);
-      BOOST_TEST(std::abs(with.motion(k).omega - without.motion(k).omega) < 1e-6);
-      BOOST_TEST(std::abs(with.load(k).force - without.load(k).force) < 1e-4);
+    for (const auto kind : {PreconditionerKind::clusters, PreconditionerKind::hierarchical}) {
+      const Solved with(with_preconditioner(scene, kind));
+      BOOST_TEST(2 * with.solution.gmres.iterations < without.solution.gmres.iterations);
+      for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+        BOOST_TEST(std::abs(with.motion(k).velocity - without.motion(k).velocity) < 1e-6);
+        BOOST_TEST(std::abs(with.motion(k).omega - without.motion(k).omega) < 1e-6);
+        BOOST_TEST(std::abs(with.load(k).force - without.load(k).force) < 1e-4);
+      }
     }
   }
 }
@@ -138,15 +144,15 @@ BOOST_AUTO_TEST_CASE(free_clusters_solve_crowds_and_held_ones_networks,
   BOOST_TEST(2 * count(network, ClusterForm::resistance) < count(network, ClusterForm::mobility));
 }
 
-BOOST_AUTO_TEST_CASE(large_crowds_get_free_clusters_and_networks_held_ones) {
-  const auto chosen = [](const Scene& scene) {
-    const Discretised start(with_preconditioner(scene, PreconditionerKind::none));
-    return cluster_form(cluster_neighbours(start.configuration, start.discretisation));
-  };
-  BOOST_TEST((chosen(disk_packing(200)) == ClusterForm::mobility));
-  BOOST_TEST((chosen(disk_hexagon(2, 1e-2, 1e-3)) == ClusterForm::resistance));
-  BOOST_TEST((chosen(disk_packing(40)) == ClusterForm::resistance));
-  BOOST_TEST((chosen(disk_hexagon(7, 1e-2, 1e-1)) == ClusterForm::resistance));  // 169 disks
+BOOST_AUTO_TEST_CASE(random_packings_take_few_iterations_in_a_tree) {
+  BOOST_TEST(iterations_by(disk_packing(150), PreconditionerKind::hierarchical) <= 26);
+}
+
+BOOST_AUTO_TEST_CASE(dense_packings_take_few_iterations_in_a_tree,
+                     *boost::unit_test::label("full")) {
+  BOOST_TEST(iterations_by(disk_packing(1000), PreconditionerKind::hierarchical) <= 40);
+  const Scene network = disk_hexagon(2, 1e-2, 1e-3);
+  BOOST_TEST(iterations_by(network, PreconditionerKind::hierarchical) <= 40);
 }
 
 BOOST_AUTO_TEST_CASE(neighbours_are_mutual_and_leave_enclosing_walls_out) {
@@ -187,7 +193,8 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   two_of_many.bodies.back().position += 2.05;
   BOOST_TEST((chosen(in_contact(two_of_many, 0.05)) == none));  // too few pairs
   BOOST_TEST((chosen(disk_packing(20)) == none));
-  BOOST_TEST((chosen(disk_packing(150)) == clusters));
+  BOOST_TEST((chosen(disk_packing(150)) == hierarchical));
+  BOOST_TEST((chosen(disk_hexagon(7, 1e-3, 1e-1)) == clusters));  // 169 disks, a crystal
   BOOST_TEST((chosen(mixed({outer_wall(Circle{6.0}, automatic_nodes)})) == direct));
   BOOST_TEST((chosen(scene({body(Circle{1.0}, automatic_nodes, {})}, ShearFlow{1.0})) == none));
 }

@@ -18,6 +18,8 @@ study::Experiment contact_iterations();
 study::Experiment contact_seconds();
 study::Experiment packings();
 study::Experiment packing_seconds();
+study::Experiment loaded_packings();
+study::Experiment packing_fractions();
 study::Experiment crystals();
 study::Experiment recycling();
 /// @}

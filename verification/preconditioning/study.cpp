@@ -7,13 +7,13 @@ namespace stokesbook {
 
 study::Study preconditioning_study() {
   using namespace verification::preconditioning;
-  return {
-      .number = "13",
-      .name = "preconditioning",
-      .title = "Bodies that nearly touch",
-      .experiments = {pair_spectrum(), clusters(), gaps(), target_iterations(), target_seconds(),
-                      ideas(), screening(), pores(), contact_iterations(), contact_seconds(),
-                      packings(), packing_seconds(), crystals(), recycling()}};
+  return {.number = "13",
+          .name = "preconditioning",
+          .title = "Bodies that nearly touch",
+          .experiments = {pair_spectrum(), clusters(), gaps(), target_iterations(),
+                          target_seconds(), ideas(), screening(), pores(), contact_iterations(),
+                          contact_seconds(), packings(), loaded_packings(), packing_fractions(),
+                          packing_seconds(), crystals(), recycling()}};
 }
 
 }  // namespace stokesbook

@@ -7,6 +7,8 @@
 #include <random>
 #include <utility>
 
+#include "support/boxed_packing.hpp"
+
 namespace stokesbook::test {
 
 namespace {
@@ -71,6 +73,26 @@ Scene disk_packing(int count) {
     if (!meets && from_centre(moved) <= radius) position = moved;
   }
   return disks(positions, 1e-5);
+}
+
+Scene loaded_packing(int count, double fraction, unsigned seed) {
+  Scene scene = disks(boxed_packing(count, fraction, 1e-3, seed), 1e-5);
+  scene.flow = QuiescentFlow{};
+  std::mt19937_64 random(11);
+  const auto uniform = [&] { return std::ldexp(static_cast<double>(random()) + 0.5, -64); };
+  // A complex number whose parts are independent and normally distributed (Box and Muller).
+  const auto normal = [&] {
+    const double radius = std::sqrt(-2.0 * std::log(uniform()));
+    return std::polar(radius, 2.0 * std::numbers::pi * uniform());
+  };
+  Complex sum;
+  for (Body& body : scene.bodies) {
+    body.force = normal();
+    body.torque = normal().real();
+    sum += body.force;
+  }
+  for (Body& body : scene.bodies) body.force -= sum / static_cast<double>(count);
+  return scene;
 }
 
 Scene ellipses_in_vortices(double tolerance) {

@@ -20,6 +20,11 @@ Scene disk_hexagon(int rings, double gap, double tolerance = 1e-6);
 /// then change the positions. The result is the same on every machine.
 Scene disk_packing(int count);
 
+/// Returns a scene of disks of radius 1 in the places of boxed_packing() with gaps of at least 0.001,
+/// at rest under normally distributed forces, whose sum is zero, and torques. The solver has the
+/// tolerance 1e-5.
+Scene loaded_packing(int count, double fraction, unsigned seed = 1);
+
 /// Returns the start of the published Taylor-Green run of 48 ellipses. The solver has the given
 /// tolerance.
 Scene ellipses_in_vortices(double tolerance = 1e-4);

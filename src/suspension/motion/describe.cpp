@@ -125,8 +125,9 @@ PlanLine near_correction_line(const Plan& plan, const Scene& scene) {
 
 PlanLine preconditioner_line(const Plan& plan, const Scene& scene, bool only_circles) {
   const std::string decision =
-      plan.preconditioner == PreconditionerKind::direct           ? "the whole system, factorised"
-      : plan.preconditioner == PreconditionerKind::clusters       ? "clusters, from the right"
+      plan.preconditioner == PreconditionerKind::direct         ? "the whole system, factorised"
+      : plan.preconditioner == PreconditionerKind::hierarchical ? "a tree of groups, from the right"
+      : plan.preconditioner == PreconditionerKind::clusters     ? "clusters, from the right"
       : plan.preconditioner == PreconditionerKind::block_diagonal ? "block diagonal, from the right"
                                                                   : "none";
   if (scene.solver.coupling == Coupling::local) {
@@ -142,7 +143,8 @@ PlanLine preconditioner_line(const Plan& plan, const Scene& scene, bool only_cir
     return {"preconditioner", decision, reason};
   }
   const char* small = plan.direct_at_tight_gaps ? ", small systems factorised" : "";
-  const char* large = plan.clusters_at_tight_gaps ? ", large ones by clusters" : "";
+  const char* large =
+      plan.clusters_at_tight_gaps ? ", large ones by clusters or a tree of groups" : "";
   return {"preconditioner", decision + "; where gaps are tight" + small + large, reason};
 }
 

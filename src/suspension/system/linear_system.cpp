@@ -135,9 +135,10 @@ LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
                                    const Discretisation& discretisation, double separation) {
   const std::vector<PlacedCurve> placed = near_curves(plan, configuration, discretisation);
   const auto kind = chosen_preconditioner(plan, gaps, discretisation, separation);
-  return {problem, SuspensionOperator(problem, placed, plan),
-          make_preconditioner(kind, plan, scene, problem, configuration, discretisation, placed),
-          kind == PreconditionerKind::direct};
+  return {
+      problem, SuspensionOperator(problem, placed, plan),
+      make_preconditioner(kind, plan, scene, problem, configuration, gaps, discretisation, placed),
+      kind == PreconditionerKind::direct};
 }
 
 }  // namespace stokesbook

@@ -1,8 +1,8 @@
 // Chooses and builds the preconditioner that takes the least time for a configuration, by its
 // number of nodes and its narrow gaps (chapter 13, section "When it pays"): blocks of single
-// components, clusters of neighbours, or a factorisation. The last two assemble the double layer
-// between components (02.6); at near nodes a scheme of close evaluation replaces the trapezoid rule
-// (06.17).
+// components, clusters of neighbours, a tree of groups, or a factorisation. The last three assemble
+// the double layer between components (02.6); at near nodes a scheme of close evaluation replaces
+// the trapezoid rule (06.17).
 #include "suspension/system/preconditioner.hpp"
 
 #include <algorithm>
@@ -24,7 +24,12 @@ using Eigen::MatrixXd;
 namespace {
 
 // Least number of components of a crowd.
-constexpr std::size_t cluster_crowd = 150;
+constexpr std::size_t least_crowd = 150;
+// Largest gap of contacts, over the smaller radius of gyration.
+constexpr double touching = 0.05;
+
+// Tolerance of the layers between components: a preconditioner may have errors of this size.
+constexpr double layer_tolerance = 1e-3;
 
 using Inverses = std::map<const DiscretisedShape*, std::shared_ptr<const MatrixXd>>;
 
@@ -40,6 +45,14 @@ std::size_t pairs_within(double reach, const std::vector<Gap>& gaps,
         std::min(discretisation[gap.a]->gyration_radius, discretisation[gap.b]->gyration_radius);
     return gap.points.gap < reach * radius;
   }));
+}
+
+// Returns the gaps without those at an enclosing wall.
+std::vector<Gap> inner_gaps(std::vector<Gap> gaps, const Discretisation& discretisation) {
+  std::erase_if(gaps, [&](const Gap& gap) {
+    return !is_inner(discretisation[gap.a]) || !is_inner(discretisation[gap.b]);
+  });
+  return gaps;
 }
 
 // Assembles the double layer of a curve at targets: rows of near targets by the scheme of close
@@ -84,8 +97,10 @@ LayerBlock layer_blocks(const StokesProblem& problem, const std::vector<PlacedCu
   };
 }
 
-// Inverts the cluster_block() of each distinct shape.
-Inverses inverse_blocks(const Discretisation& discretisation, ClusterForm form, double gauge) {
+// Inverts the cluster_block() of each distinct shape, and returns the inverse of every component.
+std::vector<BlockDiagonalPreconditioner::Member> components_alone(
+    const Configuration& configuration, const Discretisation& discretisation, ClusterForm form,
+    double gauge) {
   Inverses inverses;
   std::vector<const DiscretisedShape*> distinct;
   for (const auto& discretised : discretisation) {
@@ -107,7 +122,11 @@ Inverses inverse_blocks(const Discretisation& discretisation, ClusterForm form, 
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
-  return inverses;
+  std::vector<BlockDiagonalPreconditioner::Member> alone;
+  for (std::size_t k = 0; k < discretisation.size(); ++k) {
+    alone.push_back({inverses.at(discretisation[k].get()), configuration[k].orientation});
+  }
+  return alone;
 }
 
 }  // namespace
@@ -136,13 +155,17 @@ bool clusters_pay(const std::vector<Gap>& gaps, const Discretisation& discretisa
       })) {
     return false;
   }
-  std::vector<Gap> inner = gaps;
-  std::erase_if(inner, [&](const Gap& gap) {
-    return !is_inner(discretisation[gap.a]) || !is_inner(discretisation[gap.b]);
-  });
+  const std::vector<Gap> inner = inner_gaps(gaps, discretisation);
   const std::size_t count = discretisation.size();
   return 3 * pairs_within(tight, inner, discretisation) >= count ||
-         (count >= cluster_crowd && pairs_within(tight_in_crowd, inner, discretisation) > 0);
+         (count >= least_crowd && pairs_within(tight_in_crowd, inner, discretisation) > 0);
+}
+
+bool is_random_crowd(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
+  const std::size_t count = discretisation.size();
+  const std::size_t contacts =
+      pairs_within(touching, inner_gaps(gaps, discretisation), discretisation);
+  return count >= least_crowd && 2 * contacts < 5 * count;
 }
 
 PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
@@ -151,7 +174,8 @@ PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap
     return PreconditionerKind::direct;
   }
   if (plan.clusters_at_tight_gaps && clusters_pay(gaps, discretisation)) {
-    return PreconditionerKind::clusters;
+    return is_random_crowd(gaps, discretisation) ? PreconditionerKind::hierarchical
+                                                 : PreconditionerKind::clusters;
   }
   return plan.preconditioner;
 }
@@ -190,52 +214,54 @@ std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& conf
   return neighbours;
 }
 
-ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours) {
-  // Largest gap of contacts, which may make a rigid network, over the mean radius of gyration.
-  constexpr double touching = 0.05;
-  const std::size_t count = neighbours.size();
-  std::size_t contacts = 0;  // each contact is counted from both sides
-  for (const std::vector<Neighbour>& of_one : neighbours) {
-    contacts += static_cast<std::size_t>(
-        std::ranges::count_if(of_one, [](const Neighbour& other) { return other.gap < touching; }));
-  }
-  const bool is_rigid = contacts >= 2 * count;
-  return count < cluster_crowd || is_rigid ? ClusterForm::resistance : ClusterForm::mobility;
-}
-
 ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              const Configuration& configuration,
                                              const Discretisation& discretisation,
                                              const std::vector<PlacedCurve>& placed,
-                                             std::optional<ClusterForm> given_form) {
-  // Tolerance of the layers between components: a preconditioner may have errors of this size.
-  constexpr double layer_tolerance = 1e-3;
-  const auto neighbours = cluster_neighbours(configuration, discretisation);
-  const ClusterForm form = given_form.value_or(cluster_form(neighbours));
-  const Inverses inverses = inverse_blocks(discretisation, form, held_gauge(problem));
-  std::vector<BlockDiagonalPreconditioner::Member> alone;
-  for (std::size_t k = 0; k < discretisation.size(); ++k) {
-    alone.push_back({inverses.at(discretisation[k].get()), configuration[k].orientation});
-  }
-  return {problem, form, std::move(alone), neighbours,
+                                             ClusterForm form) {
+  return {problem, form, components_alone(configuration, discretisation, form, held_gauge(problem)),
+          cluster_neighbours(configuration, discretisation),
           layer_blocks(problem, placed, layer_tolerance)};
+}
+
+HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
+                                     const Discretisation& discretisation) {
+  const bool is_stiff = pairs_within(touching, inner_gaps(gaps, discretisation), discretisation) >=
+                        discretisation.size();
+  return is_stiff ? HierarchySettings{.tolerance = 0.3, .reach = 1.5, .order = 10}
+                  : HierarchySettings{};
+}
+
+HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& problem,
+                                                       const Configuration& configuration,
+                                                       const Discretisation& discretisation,
+                                                       const std::vector<PlacedCurve>& placed,
+                                                       const HierarchySettings& settings) {
+  return {
+      problem,
+      components_alone(configuration, discretisation, ClusterForm::mobility, held_gauge(problem)),
+      layer_blocks(problem, placed, layer_tolerance), settings};
 }
 
 LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const Scene& scene,
                               const StokesProblem& problem, const Configuration& configuration,
-                              const Discretisation& discretisation,
+                              const std::vector<Gap>& gaps, const Discretisation& discretisation,
                               const std::vector<PlacedCurve>& placed) {
   if (kind == PreconditionerKind::none) return {};
   if (kind == PreconditionerKind::direct) {
     return DirectPreconditioner(problem, layer_blocks(problem, placed, plan.near_tolerance));
   }
-  if (kind == PreconditionerKind::clusters) {
-    try {
+  try {
+    if (kind == PreconditionerKind::clusters) {
       return cluster_preconditioner(problem, configuration, discretisation, placed);
-    } catch (const std::domain_error& error) {
-      throw SolverError("preconditioner by clusters: " + std::string(error.what()) +
-                        "; set solver.preconditioner = \"block_diagonal\"");
     }
+    if (kind == PreconditionerKind::hierarchical) {
+      return hierarchical_preconditioner(problem, configuration, discretisation, placed,
+                                         hierarchy_settings(gaps, discretisation));
+    }
+  } catch (const std::domain_error& error) {
+    throw SolverError("preconditioner by clusters or groups: " + std::string(error.what()) +
+                      "; set solver.preconditioner = \"block_diagonal\"");
   }
   std::vector<BlockDiagonalPreconditioner::Member> members;
   for (std::size_t k = 0; k < configuration.size(); ++k) {

@@ -7,6 +7,7 @@
 #include "krylov/gmres.hpp"
 #include "near_singular/near_targets.hpp"
 #include "preconditioning/cluster_preconditioner.hpp"
+#include "preconditioning/hierarchical_preconditioner.hpp"
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/system/plan.hpp"
 
@@ -26,7 +27,13 @@ bool direct_pays(const std::vector<Gap>& gaps, const Discretisation& discretisat
 /// since the time of the set-up grows as the cube of this number.
 bool clusters_pay(const std::vector<Gap>& gaps, const Discretisation& discretisation);
 
-/// Chooses the preconditioner of a configuration: none, block_diagonal, clusters or direct.
+/// Returns whether components are a crowd, 150 of them or more, without the stiff network of
+/// contacts of a crystal: fewer than five contacts for two components, where a contact is a gap
+/// below a twentieth of the smaller radius of gyration.
+bool is_random_crowd(const std::vector<Gap>& gaps, const Discretisation& discretisation);
+
+/// Chooses the preconditioner of a configuration: none, block_diagonal, clusters, hierarchical (in
+/// random crowds, where clusters would pay), or direct.
 PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
                                          const Discretisation& discretisation, double separation);
 
@@ -38,23 +45,32 @@ PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap
 std::vector<std::vector<Neighbour>> cluster_neighbours(const Configuration& configuration,
                                                        const Discretisation& discretisation);
 
-/// Chooses the form of the clusters that takes fewer iterations: the mobility form in crowds, where
-/// there are motions in long waves, which clusters of held bodies approximate badly; the resistance
-/// form for fewer than 150 components, and for rigid networks, which have at least as many contacts
-/// as components.
-ClusterForm cluster_form(const std::vector<std::vector<Neighbour>>& neighbours);
-
 /// Builds the preconditioner by clusters, with near-corrected layers.
 ///
 /// @param  placed  curves of the components for near corrections; empty: none
-/// @param  form    of the clusters; none: by cluster_form()
 /// @throws std::domain_error as invert_block() and ClusterPreconditioner do
 /// @par Cost       that of ClusterPreconditioner, and of cluster_block() per distinct shape
 ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              const Configuration& configuration,
                                              const Discretisation& discretisation,
                                              const std::vector<PlacedCurve>& placed,
-                                             std::optional<ClusterForm> form = {});
+                                             ClusterForm form = ClusterForm::resistance);
+
+/// Chooses how much a tree of groups leaves out: less where there are at least as many contacts as
+/// components, which make a stiff network.
+HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
+                                     const Discretisation& discretisation);
+
+/// Builds the preconditioner by a tree of groups, with near-corrected layers.
+///
+/// @param  placed  curves of the components for near corrections; empty: none
+/// @throws std::domain_error as invert_block() does
+/// @par Cost       that of HierarchicalPreconditioner, and of self_block() per distinct shape
+HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& problem,
+                                                       const Configuration& configuration,
+                                                       const Discretisation& discretisation,
+                                                       const std::vector<PlacedCurve>& placed,
+                                                       const HierarchySettings& settings = {});
 
 /// Builds a preconditioner of a given kind for the SuspensionOperator of a problem.
 ///
@@ -64,7 +80,7 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
 ///                whose size is at the degenerate scale of flow.gauge_length
 LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const Scene& scene,
                               const StokesProblem& problem, const Configuration& configuration,
-                              const Discretisation& discretisation,
+                              const std::vector<Gap>& gaps, const Discretisation& discretisation,
                               const std::vector<PlacedCurve>& placed);
 
 }  // namespace stokesbook

@@ -1,0 +1,498 @@
+// Eliminates components, then groups of components in a tree, each up to the few directions in
+// which it is coupled to all others (13.7), (13.8). Couplings are blocks between near groups, and
+// multipole expansions between all others.
+#include "preconditioning/hierarchical_preconditioner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include "preconditioning/cluster_preconditioner.hpp"
+#include "preconditioning/component_tree.hpp"
+#include "preconditioning/coupling_blocks.hpp"
+#include "preconditioning/far_field.hpp"
+#include "trapezoid/rectangle_index.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXf;
+using Eigen::VectorXf;
+
+namespace {
+
+using Member = BlockDiagonalPreconditioner::Member;
+
+// The tolerance of groups falls by this factor from level to level: the larger a group is, the
+// softer are the motions in which its errors show.
+constexpr double tolerance_fall = 0.8;
+// Weight of expansions beside near blocks when directions are chosen, where all far groups count
+// together.
+constexpr float far_weight = 3.0F;
+
+// A group of one level without its interior: what the level above needs to know of it.
+struct Reduced {
+  Box disk;
+  MatrixXf outgoing;                // multipole expansions of the directions
+  MatrixXf incoming;                // components of local expansions along the directions
+  std::vector<Index> near;          // groups of the same level, ascending
+  std::vector<MatrixXf> couplings;  // the blocks Q^T B Q with these groups, as targets of this one
+
+  Index width() const { return incoming.rows(); }
+
+  // Returns the coupling with a near group, or a null pointer for other groups.
+  const MatrixXf* coupling(Index source) const {
+    const auto found = std::ranges::lower_bound(near, source);
+    if (found == near.end() || *found != source) return nullptr;
+    return &couplings[static_cast<std::size_t>(found - near.begin())];
+  }
+};
+
+// Finds the groups of a level that are coupled to each group by blocks.
+std::vector<std::vector<Index>> near_groups(const std::vector<Box>& groups, double reach) {
+  std::vector<Rectangle> squares;
+  for (const Box& group : groups) squares.push_back(square_about(group.centre, group.radius));
+  const RectangleIndex index(squares);
+  double largest = 0.0;
+  for (const Box& group : groups) largest = std::max(largest, group.radius);
+  std::vector<std::vector<Index>> near(groups.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t a = 0; a < groups.size(); ++a) {
+    const double farthest = reach * (groups[a].radius + largest);
+    for (const std::size_t b : index.meeting(square_about(groups[a].centre, farthest))) {
+      if (b != a && std::abs(groups[a].centre - groups[b].centre) <
+                        reach * (groups[a].radius + groups[b].radius)) {
+        near[a].push_back(static_cast<Index>(b));
+      }
+    }
+  }
+  return near;
+}
+
+// Returns an orthonormal basis of the eigenvectors of a Gram matrix with eigenvalues above tau^2.
+// A pivoted Cholesky factorisation L L^T finds the range of the matrix first, so that only L^T L is
+// diagonalised.
+MatrixXf basis_above(double tau, const MatrixXf& gram) {
+  const Index n = gram.rows();
+  const auto bound = static_cast<float>(tau * tau);
+  constexpr float remainder = 0.16F;  // largest diagonal entry that is left, over tau^2
+  VectorXf diagonal = gram.diagonal();
+  MatrixXf factor(n, n);
+  Index rank = 0;
+  for (; rank < n; ++rank) {
+    Index pivot = 0;
+    const float largest = diagonal.maxCoeff(&pivot);
+    if (!(largest > remainder * bound)) break;
+    auto column = factor.col(rank);
+    column = gram.col(pivot);
+    column.noalias() -= factor.leftCols(rank) * factor.row(pivot).head(rank).transpose();
+    column /= std::sqrt(largest);
+    diagonal -= column.cwiseAbs2();
+    diagonal[pivot] = 0.0F;
+  }
+  if (rank == 0) return {n, 0};
+  const auto range = factor.leftCols(rank);
+  const MatrixXf inner = range.transpose() * range;
+  const Eigen::SelfAdjointEigenSolver<MatrixXf> solver(inner);
+  const Index count = (solver.eigenvalues().array() > bound).count();
+  if (count == 0) return {n, 0};
+  const MatrixXf directions = range * solver.eigenvectors().rightCols(count);
+  const Eigen::HouseholderQR<MatrixXf> orthogonal(directions);
+  return orthogonal.householderQ() * MatrixXf::Identity(n, count);
+}
+
+// Adds the products of columns with themselves to the lower triangle of a Gram matrix.
+void add_products(const MatrixXf& columns, MatrixXf& gram) {
+  if (columns.cols() > 0) gram.selfadjointView<Eigen::Lower>().rankUpdate(columns);
+}
+
+// The lowest level: single components.
+class ComponentLevel {
+ public:
+  ComponentLevel(const StokesProblem& problem, const std::vector<Member>& alone,
+                 const CouplingBlocks& blocks, const std::vector<std::size_t>& order,
+                 const FarField& far_field)
+      : problem_(problem), alone_(alone), blocks_(blocks), order_(order), far_field_(far_field) {}
+
+  Index size(Index a) const { return member(a).inverse->rows(); }
+
+  MatrixXf solved(Index a, const MatrixXf& columns) const {
+    return solved_alone(member(a), columns.cast<double>()).cast<float>();
+  }
+
+  MatrixXf times_inverse(Index a, const MatrixXf& rows) const {
+    return stokesbook::times_inverse(rows.cast<double>(), member(a)).cast<float>();
+  }
+
+  MatrixXf outgoing(const Box& disk, Index a) const {
+    const std::size_t own = component(a);
+    const RigidModeMatrices& rigid = blocks_.modes(own);
+    const Component& body = problem_.components[own];
+    MatrixXf outgoing = far_field_.of_densities(disk, body.curve);
+    MatrixXf of_motions = -outgoing * rigid.modes.cast<float>();
+    if (blocks_.is_held(own)) of_motions += far_field_.of_loads(disk, body.centre, rigid.radius);
+    outgoing += of_motions * rigid.projection.cast<float>();
+    return outgoing;
+  }
+
+  MatrixXf incoming(const Box& disk, Index a) const {
+    return far_field_.at_points(disk, problem_.components[component(a)].curve.x);
+  }
+
+  // Adds B^T B of the block from a source to a target.
+  void add_gram(Index target, Index source, MatrixXf& gram) const {
+    add_products(block(target, source).transpose(), gram);
+  }
+
+  // Multiplies the block from a source to a target by columns; all of it, and its near part.
+  MatrixXf coupled(Index target, Index source, const MatrixXf& columns) const {
+    return block(target, source) * columns;
+  }
+  MatrixXf near_coupled(Index target, Index source, const MatrixXf& columns) const {
+    return coupled(target, source, columns);
+  }
+
+ private:
+  std::size_t component(Index a) const { return order_[static_cast<std::size_t>(a)]; }
+  const Member& member(Index a) const { return alone_[component(a)]; }
+  MatrixXf block(Index target, Index source) const {
+    return blocks_(component(target), component(source)).cast<float>();
+  }
+
+  const StokesProblem& problem_;
+  const std::vector<Member>& alone_;
+  const CouplingBlocks& blocks_;
+  const std::vector<std::size_t>& order_;
+  const FarField& far_field_;
+};
+
+// A higher level: groups of children, which have been reduced.
+class GroupLevel {
+ public:
+  GroupLevel(const std::vector<Box>& groups, const std::vector<Reduced>& below,
+             const FarField& far_field)
+      : groups_(groups), below_(below), far_field_(far_field), first_{0} {
+    for (const Reduced& child : below) first_.push_back(first_.back() + child.width());
+  }
+
+  Index size(Index a) const { return first_[last_child(a)] - first_[first_child(a)]; }
+
+  // Assembles T of a group: the identity of each child, and the couplings of the children.
+  MatrixXf matrix(Index a) const {
+    MatrixXf matrix = MatrixXf::Identity(size(a), size(a));
+    for (std::size_t i = first_child(a); i < last_child(a); ++i) {
+      for (std::size_t j = first_child(a); j < last_child(a); ++j) {
+        if (i == j) continue;
+        auto block = matrix.block(place(a, i), place(a, j), below_[i].width(), below_[j].width());
+        if (const MatrixXf* coupling = below_[i].coupling(static_cast<Index>(j))) {
+          block = *coupling;
+        } else {
+          block =
+              below_[i].incoming *
+              (far_field_.multipole_to_local(below_[j].disk, below_[i].disk) * below_[j].outgoing);
+        }
+      }
+    }
+    return matrix;
+  }
+
+  void set_inverses(std::vector<MatrixXf> inverses) { inverses_ = std::move(inverses); }
+  MatrixXf take_inverse(Index a) { return std::move(inverses_[static_cast<std::size_t>(a)]); }
+
+  MatrixXf solved(Index a, const MatrixXf& columns) const { return inverse(a) * columns; }
+  MatrixXf times_inverse(Index a, const MatrixXf& rows) const { return rows * inverse(a); }
+
+  MatrixXf outgoing(const Box& disk, Index a) const {
+    MatrixXf outgoing(far_field_.weights().size(), size(a));
+    for (std::size_t i = first_child(a); i < last_child(a); ++i) {
+      outgoing.middleCols(place(a, i), below_[i].width()) =
+          far_field_.multipole_to_multipole(below_[i].disk, disk) * below_[i].outgoing;
+    }
+    return outgoing;
+  }
+
+  MatrixXf incoming(const Box& disk, Index a) const {
+    MatrixXf incoming(size(a), far_field_.weights().size());
+    for (std::size_t i = first_child(a); i < last_child(a); ++i) {
+      incoming.middleRows(place(a, i), below_[i].width()) =
+          below_[i].incoming * far_field_.local_to_local(disk, below_[i].disk);
+    }
+    return incoming;
+  }
+
+  // Adds the near part of B^T B: products of the blocks of near children.
+  void add_gram(Index target, Index source, MatrixXf& gram) const {
+    for (std::size_t i = first_child(target); i < last_child(target); ++i) {
+      for (std::size_t j = first_child(source); j < last_child(source); ++j) {
+        const MatrixXf* left = below_[i].coupling(static_cast<Index>(j));
+        if (left == nullptr) continue;
+        for (std::size_t k = first_child(source); k <= j; ++k) {
+          const MatrixXf* right = below_[i].coupling(static_cast<Index>(k));
+          if (right == nullptr) continue;
+          gram.block(place(source, j), place(source, k), left->cols(), right->cols()).noalias() +=
+              left->transpose() * *right;
+        }
+      }
+    }
+  }
+
+  MatrixXf near_coupled(Index target, Index source, const MatrixXf& columns) const {
+    MatrixXf result = MatrixXf::Zero(size(target), columns.cols());
+    for (std::size_t i = first_child(target); i < last_child(target); ++i) {
+      for (std::size_t j = first_child(source); j < last_child(source); ++j) {
+        const MatrixXf* coupling = below_[i].coupling(static_cast<Index>(j));
+        if (coupling == nullptr) continue;
+        result.middleRows(place(target, i), coupling->rows()).noalias() +=
+            *coupling * columns.middleRows(place(source, j), coupling->cols());
+      }
+    }
+    return result;
+  }
+
+  MatrixXf coupled(Index target, Index source, const MatrixXf& columns) const {
+    MatrixXf result = near_coupled(target, source, columns);
+    for (std::size_t i = first_child(target); i < last_child(target); ++i) {
+      MatrixXf local = MatrixXf::Zero(far_field_.weights().size(), columns.cols());
+      for (std::size_t j = first_child(source); j < last_child(source); ++j) {
+        if (below_[i].coupling(static_cast<Index>(j)) != nullptr) continue;
+        const MatrixXf multipole =
+            below_[j].outgoing * columns.middleRows(place(source, j), below_[j].width());
+        local += far_field_.multipole_to_local(below_[j].disk, below_[i].disk) * multipole;
+      }
+      result.middleRows(place(target, i), below_[i].width()).noalias() +=
+          below_[i].incoming * local;
+    }
+    return result;
+  }
+
+ private:
+  std::size_t first_child(Index a) const {
+    return static_cast<std::size_t>(groups_[static_cast<std::size_t>(a)].first_child);
+  }
+  std::size_t last_child(Index a) const {
+    return static_cast<std::size_t>(groups_[static_cast<std::size_t>(a)].last_child);
+  }
+  Index place(Index a, std::size_t child) const { return first_[child] - first_[first_child(a)]; }
+  const MatrixXf& inverse(Index a) const { return inverses_[static_cast<std::size_t>(a)]; }
+
+  const std::vector<Box>& groups_;
+  const std::vector<Reduced>& below_;
+  const FarField& far_field_;
+  std::vector<Index> first_;  // first unknown of each child
+  std::vector<MatrixXf> inverses_;
+};
+
+MatrixXf symmetric(const MatrixXf& lower) {
+  return lower.selfadjointView<Eigen::Lower>();
+}
+
+// Chooses the directions Q of all groups of a level. On return, `bases` are these directions, and
+// the result is what the level above needs of the groups.
+template <class Level>
+std::vector<Reduced> reduce(const Level& level, const std::vector<Box>& groups, double tolerance,
+                            double reach, const FarField& far_field, std::vector<MatrixXf>& bases) {
+  const auto near = near_groups(groups, reach);
+  const VectorXf weights = far_weight * far_field.weights();
+  const Index count = std::ssize(groups);
+  std::vector<Reduced> reduced(groups.size());
+  std::vector<MatrixXf> solved(groups.size());  // T^{-1} Q
+  bases.resize(groups.size());
+  // First the directions V that other groups feel: B T^{-1} V is all that matters of B T^{-1}.
+#pragma omp parallel for schedule(dynamic)
+  for (Index a = 0; a < count; ++a) {
+    const auto own = static_cast<std::size_t>(a);
+    reduced[own].disk = groups[own];
+    reduced[own].near = near[own];
+    reduced[own].outgoing = level.outgoing(groups[own], a);
+    reduced[own].incoming = level.incoming(groups[own], a);
+    MatrixXf gram = MatrixXf::Zero(level.size(a), level.size(a));
+    for (const Index b : near[own]) level.add_gram(b, a, gram);
+    add_products(reduced[own].outgoing.transpose() * weights.asDiagonal(), gram);
+    const MatrixXf right = level.times_inverse(a, symmetric(gram));
+    const MatrixXf both = level.times_inverse(a, right.transpose());
+    bases[own] = basis_above(tolerance, 0.5F * (both + both.transpose()));
+    solved[own] = level.solved(a, bases[own]);
+  }
+  // Then the directions, orthogonal to V, in which a group feels others.
+  std::vector<MatrixXf> felt(groups.size());
+#pragma omp parallel for schedule(dynamic)
+  for (Index a = 0; a < count; ++a) {
+    const auto own = static_cast<std::size_t>(a);
+    MatrixXf gram = MatrixXf::Zero(level.size(a), level.size(a));
+    for (const Index b : near[own]) {
+      add_products(level.near_coupled(a, b, solved[static_cast<std::size_t>(b)]), gram);
+    }
+    add_products(reduced[own].incoming * weights.asDiagonal(), gram);
+    const MatrixXf& v = bases[own];
+    MatrixXf rest = symmetric(gram);
+    rest -= v * (v.transpose() * rest);
+    rest -= (rest * v) * v.transpose();
+    felt[own] = basis_above(tolerance, rest);
+  }
+#pragma omp parallel for schedule(dynamic)
+  for (Index a = 0; a < count; ++a) {
+    const auto own = static_cast<std::size_t>(a);
+    MatrixXf all(level.size(a), bases[own].cols() + felt[own].cols());
+    all << bases[own], felt[own];
+    MatrixXf all_solved(all.rows(), all.cols());
+    all_solved << solved[own], level.solved(a, felt[own]);
+    bases[own] = std::move(all);
+    solved[own] = std::move(all_solved);
+    felt[own].resize(0, 0);
+    reduced[own].outgoing *= solved[own];
+    reduced[own].incoming = (bases[own].transpose() * reduced[own].incoming).eval();
+  }
+#pragma omp parallel for schedule(dynamic)
+  for (Index a = 0; a < count; ++a) {
+    const auto own = static_cast<std::size_t>(a);
+    for (const Index b : near[own]) {
+      const MatrixXf coupled = level.coupled(a, b, solved[static_cast<std::size_t>(b)]);
+      reduced[own].couplings.push_back(bases[own].transpose() * coupled);
+    }
+  }
+  return reduced;
+}
+
+Index unknowns_of(const std::vector<Reduced>& groups) {
+  Index sum = 0;
+  for (const Reduced& group : groups) sum += group.width();
+  return sum;
+}
+
+// Returns disks about the inner components, and their numbers.
+std::pair<std::vector<Box>, std::vector<std::size_t>> inner_disks(const StokesProblem& problem) {
+  std::pair<std::vector<Box>, std::vector<std::size_t>> disks;
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    const Component& component = problem.components[k];
+    if (!is_inner(component)) continue;
+    Box disk;
+    disk.centre = component.centre;
+    disk.radius = (component.curve.x.array() - component.centre).abs().maxCoeff();
+    disks.first.push_back(disk);
+    disks.second.push_back(k);
+  }
+  return disks;
+}
+
+}  // namespace
+
+HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& problem,
+                                                       std::vector<Member> alone,
+                                                       const LayerBlock& layer,
+                                                       const HierarchySettings& settings)
+    : alone_(alone) {
+  for (const Index offset : node_offsets(problem)) offsets_.push_back(2 * offset);
+  const auto [disks, inner] = inner_disks(problem);
+  if (disks.empty()) return;
+  const ComponentTree tree(disks);
+  for (const Index k : tree.order) order_.push_back(inner[static_cast<std::size_t>(k)]);
+  std::vector<bool> held;
+  for (const Component& component : problem.components) {
+    held.push_back(component.kind == ComponentKind::prescribed);
+  }
+  const double gauge = held_gauge(problem);
+  const CouplingBlocks blocks(problem, std::move(held), gauge, layer);
+  const FarField far_field(settings.order, gauge);
+  double tolerance = settings.tolerance;
+
+  const auto add_level = [&](std::vector<MatrixXf> bases, auto inverse_of) {
+    Index first = 0;
+    levels_.emplace_back();
+    for (std::size_t a = 0; a < bases.size(); ++a) {
+      const Index size = bases[a].rows();
+      levels_.back().push_back({first, std::move(bases[a]), inverse_of(static_cast<Index>(a))});
+      first += size;
+    }
+  };
+  std::vector<MatrixXf> bases;
+  std::vector<Reduced> below = reduce(ComponentLevel(problem, alone, blocks, order_, far_field),
+                                      tree.levels[0], tolerance, settings.reach, far_field, bases);
+  add_level(std::move(bases), [](Index) { return MatrixXf(); });
+  for (std::size_t l = 1; l + 1 < tree.levels.size(); ++l) {
+    if (unknowns_of(below) <= settings.root) break;
+    tolerance *= tolerance_fall;
+    GroupLevel level(tree.levels[l], below, far_field);
+    std::vector<MatrixXf> inverses(tree.levels[l].size());
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t a = 0; a < inverses.size(); ++a) {
+      inverses[a] = level.matrix(static_cast<Index>(a)).partialPivLu().inverse();
+    }
+    level.set_inverses(std::move(inverses));
+    std::vector<Reduced> reduced =
+        reduce(level, tree.levels[l], tolerance, settings.reach, far_field, bases);
+    add_level(std::move(bases), [&](Index a) { return level.take_inverse(a); });
+    below = std::move(reduced);
+  }
+  Box root;
+  root.last_child = std::ssize(below);
+  const std::vector<Box> all{root};
+  root_.compute(GroupLevel(all, below, far_field).matrix(0));
+}
+
+Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v) const {
+  if (levels_.empty()) return alone_(v);
+  const auto own = [&](std::size_t k) {
+    return Eigen::seqN(offsets_[order_[k]], offsets_[order_[k] + 1] - offsets_[order_[k]]);
+  };
+  const auto unknowns = [](const Group& group) {
+    return Eigen::seqN(group.first, group.basis.rows());
+  };
+  // Upwards: Q^T of the data of each level, which are the data of the next level.
+  std::vector<VectorXf> data(levels_.size() + 1);
+  const Group& last = levels_[0].back();
+  data[0].resize(last.first + last.basis.rows());
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    data[0](unknowns(levels_[0][k])) = v(own(k)).cast<float>();
+  }
+  std::vector<std::vector<Index>> places(levels_.size());  // first direction of each group
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    const std::vector<Group>& groups = levels_[l];
+    Index width = 0;
+    for (const Group& group : groups) {
+      places[l].push_back(width);
+      width += group.basis.cols();
+    }
+    data[l + 1].resize(width);
+#pragma omp parallel for schedule(static)
+    for (std::size_t a = 0; a < groups.size(); ++a) {
+      data[l + 1].segment(places[l][a], groups[a].basis.cols()) =
+          groups[a].basis.transpose() * data[l](unknowns(groups[a]));
+    }
+  }
+  // Downwards: T^{-1} (z + Q (y - Q^T z)) with the solution y of the level above (13.8).
+  VectorXf solution = root_.solve(data.back());
+  for (std::size_t l = levels_.size(); l-- > 0;) {
+    const std::vector<Group>& groups = levels_[l];
+    const VectorXf difference = solution - data[l + 1];
+    solution = data[l];
+#pragma omp parallel for schedule(static)
+    for (std::size_t a = 0; a < groups.size(); ++a) {
+      const Group& group = groups[a];
+      auto part = solution(unknowns(group));
+      const VectorXf coupled =
+          part + group.basis * difference.segment(places[l][a], group.basis.cols());
+      if (l > 0) {
+        part = group.inverse * coupled;
+      } else {
+        part = coupled;
+      }
+    }
+  }
+  Eigen::VectorXd result = v;
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    result(own(k)) = solution(unknowns(levels_[0][k])).cast<double>();
+  }
+  return alone_(result);
+}
+
+Index HierarchicalPreconditioner::numbers() const {
+  Index sum = root_.matrixLU().size();
+  for (const std::vector<Group>& level : levels_) {
+    for (const Group& group : level) sum += group.basis.size() + group.inverse.size();
+  }
+  return sum;
+}
+
+}  // namespace stokesbook

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include "krylov/block_diagonal.hpp"
+
+namespace stokesbook {
+
+/// How much a HierarchicalPreconditioner leaves out. The defaults suit random packings with few
+/// contacts.
+struct HierarchySettings {
+  /// tau of single components; that of groups falls by 0.8 from level to level. Below 0.05 rounding
+  /// in single precision shows.
+  double tolerance = 0.4;
+  /// Couplings of groups at larger distances of their centres, over the sum of their radii, are
+  /// expansions; > 1.
+  double reach = 1.2;
+  int order = 8;             ///< of these expansions
+  Eigen::Index root = 2500;  ///< a level with at most as many unknowns is factorised as a whole
+};
+
+/// Preconditions by eliminating all components in a tree of groups.
+///
+/// As for clusters, let the operator be \f$ (I+B)A_0 \f$, where \f$ A_0 \f$ consists of the own
+/// blocks, and let the columns of Q span the directions in which components are coupled:
+/// \f$ (I+B)^{-1} \approx I - QQ^T + Q\,C^{-1}Q^T \f$ with \f$ C = I+Q^TBQ \f$ (13.7). The small
+/// system C couples all components. Let T be its blocks of groups of four. Then
+/// \f$ C = (I+B')T \f$ with \f$ B' = (C-T)T^{-1} \f$, and (13.7) replaces the inverse of
+/// \f$ I+B' \f$ in its turn, with the few directions in which groups are coupled (13.8). The last
+/// system is factorised. Nothing is left out because it is far away: distant groups are coupled by
+/// multipole expansions.
+/// @par Accuracy  iterations for random packings of disks, @ref claim_13_11
+/// @par Not for   crystals, whose contacts form a stiff network: clusters take fewer iterations
+class HierarchicalPreconditioner {
+ public:
+  /// Eliminates all components. Enclosing walls are solved alone.
+  ///
+  /// @param  problem  components in the order of the densities, n nodes in all
+  /// @param  alone    inverse of the self_block() of each component, held ones with the gauge of
+  ///                  held_gauge(), and its orientation
+  /// @param  layer    double layer between any two components
+  /// @par Cost  groups of m components have O(m^(1/2)) directions: O(n^(3/2)) operations, and
+  /// O(n log n) numbers in single precision
+  HierarchicalPreconditioner(const StokesProblem& problem,
+                             std::vector<BlockDiagonalPreconditioner::Member> alone,
+                             const LayerBlock& layer, const HierarchySettings& settings = {});
+
+  /// Applies the approximate inverse, a linear map, to 2n interleaved numbers (x_0, y_0, ...). The
+  /// result is the same for any number of threads.
+  ///
+  /// @par Cost  two multiplications for each of the numbers()
+  Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
+
+  /// Returns how many numbers the groups and the last factorisation consist of, 4 bytes each.
+  Eigen::Index numbers() const;
+
+ private:
+  // A group, or a component on the lowest level, with the directions that couple it to all others.
+  struct Group {
+    Eigen::Index first;       // its first unknown among those of its level
+    Eigen::MatrixXf basis;    // Q
+    Eigen::MatrixXf inverse;  // T^{-1}; empty for components, which are solved alone
+  };
+
+  BlockDiagonalPreconditioner alone_;
+  std::vector<Eigen::Index> offsets_;       // first entry of each component, then 2n
+  std::vector<std::size_t> order_;          // components of the lowest level
+  std::vector<std::vector<Group>> levels_;  // components, then larger and larger groups
+  Eigen::PartialPivLU<Eigen::MatrixXf> root_;
+};
+
+}  // namespace stokesbook

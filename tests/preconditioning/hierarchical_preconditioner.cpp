@@ -1,0 +1,103 @@
+// Checks that elimination in a tree of groups is an approximate inverse, for free and held bodies,
+// on one and several levels; and that the approximation improves with the tolerance.
+#include "preconditioning/hierarchical_preconditioner.hpp"
+
+#include <cmath>
+
+#include <omp.h>
+
+#include "closure/bordered_system.hpp"
+#include "double_layer/stresslet_sum.hpp"
+#include "krylov/matrices.hpp"
+#include "preconditioning/cluster_preconditioner.hpp"
+
+namespace stokesbook::test {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+// Returns ellipses on a lattice, with random orientations, and with gaps of at least 0.3.
+StokesProblem ellipses(int rows, int columns, Index nodes, ComponentKind last) {
+  StokesProblem problem;
+  for (int k = 0; k < rows * columns; ++k) {
+    const Complex centre(2.3 * (k % columns), 2.3 * (k / columns));
+    const Curve curve =
+        place(sample(Ellipse{1.0, 0.6}, nodes, Side::fluid_outside), centre, 1.7 * k);
+    problem.components.push_back({ComponentKind::free_body, curve, centre, {}, 0.0, {}});
+  }
+  Component& changed = problem.components.back();
+  changed.kind = last;
+  if (last == ComponentKind::prescribed) changed.velocity = ComplexVector::Zero(nodes);
+  problem.gauge_length = held_gauge(problem);
+  return problem;
+}
+
+HierarchicalPreconditioner hierarchy(const StokesProblem& problem,
+                                     const HierarchySettings& settings) {
+  std::vector<BlockDiagonalPreconditioner::Member> alone;
+  for (const Component& component : problem.components) {
+    alone.push_back({std::make_shared<const MatrixXd>(invert_block(
+                         cluster_block(component, ClusterForm::mobility, held_gauge(problem)))),
+                     0.0});
+  }
+  const LayerBlock layer = [&](std::size_t target, std::size_t source) {
+    return StressletSum({problem.components[source].curve})
+        .matrix(problem.components[target].curve.x);
+  };
+  return {problem, alone, layer, settings};
+}
+
+double error_of_inverse(const StokesProblem& problem, const HierarchySettings& settings) {
+  const DenseSystem system = assemble(problem, ClosureForm::reduced);
+  const VectorXd density = normal_matrix(system.matrix.cols(), 1, 3);
+  const VectorXd solved = hierarchy(problem, settings)(system.matrix * density);
+  return (solved - density).norm() / density.norm();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(hierarchical_preconditioner)
+
+BOOST_AUTO_TEST_CASE(a_small_tolerance_gives_nearly_the_inverse) {
+  for (const ComponentKind kind : {ComponentKind::free_body, ComponentKind::prescribed}) {
+    const StokesProblem problem = ellipses(2, 3, 24, kind);
+    BOOST_TEST(error_of_inverse(problem, {0.03, 1.2, 12}) < 0.02);
+    BOOST_TEST(error_of_inverse(problem, {}) < 0.25);
+    BOOST_TEST(error_of_inverse(problem, {}) > 0.02);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(several_levels_give_nearly_the_inverse) {
+  const StokesProblem problem = ellipses(9, 8, 16, ComponentKind::prescribed);
+  const auto tight = hierarchy(problem, {0.05, 1.2, 12, 10});
+  const DenseSystem system = assemble(problem, ClosureForm::reduced);
+  const VectorXd density = normal_matrix(system.matrix.cols(), 1, 3);
+  const VectorXd solved = tight(system.matrix * density);
+  BOOST_TEST((solved - density).norm() < 0.05 * density.norm());
+  BOOST_TEST(hierarchy(problem, {0.4, 1.2, 8, 10}).numbers() < tight.numbers());
+}
+
+BOOST_AUTO_TEST_CASE(a_single_body_is_solved_alone) {
+  BOOST_TEST(error_of_inverse(ellipses(1, 1, 24, ComponentKind::free_body), {}) < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(the_preconditioner_is_linear_whatever_the_threads) {
+  const StokesProblem problem = ellipses(3, 3, 24, ComponentKind::prescribed);
+  omp_set_num_threads(1);
+  const HierarchicalPreconditioner one = hierarchy(problem, {});
+  omp_set_num_threads(2);
+  const HierarchicalPreconditioner two = hierarchy(problem, {});
+  const Index size = 2 * node_offsets(problem).back();
+  const VectorXd v = normal_matrix(size, 1, 4), w = normal_matrix(size, 1, 5);
+  BOOST_TEST((one(v).array() == two(v).array()).all());
+  const VectorXd sum = one(2.0 * v - 3.0 * w), terms = 2.0 * one(v) - 3.0 * one(w);
+  BOOST_TEST((sum - terms).norm() < 1e-5 * terms.norm());  // single precision
+  omp_set_num_threads(1);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
+
+}  // namespace stokesbook::test
