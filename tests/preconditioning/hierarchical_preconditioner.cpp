@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_SUITE(hierarchical_preconditioner)
 
 BOOST_AUTO_TEST_CASE(a_small_tolerance_gives_nearly_the_inverse) {
   for (const ComponentKind kind : {ComponentKind::free_body, ComponentKind::prescribed}) {
-    const StokesProblem problem = ellipses(2, 3, 24, kind);
+    const StokesProblem problem = ellipses(2, 3, 16, kind);
     BOOST_TEST(error_of_inverse(problem, {0.03, 1.2, 12}) < 0.02);
     BOOST_TEST(error_of_inverse(problem, {}) < 0.25);
     BOOST_TEST(error_of_inverse(problem, {}) > 0.02);
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(a_small_tolerance_gives_nearly_the_inverse) {
 }
 
 BOOST_AUTO_TEST_CASE(several_levels_give_nearly_the_inverse) {
-  const StokesProblem problem = ellipses(9, 8, 16, ComponentKind::prescribed);
+  const StokesProblem problem = ellipses(5, 5, 16, ComponentKind::prescribed);
   const auto tight = hierarchy(problem, {0.05, 1.2, 12, 10});
   const DenseSystem system = assemble(problem, ClosureForm::reduced);
   const VectorXd density = normal_matrix(system.matrix.cols(), 1, 3);
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(a_single_body_is_solved_alone) {
 }
 
 BOOST_AUTO_TEST_CASE(the_preconditioner_is_linear_whatever_the_threads) {
-  const StokesProblem problem = ellipses(3, 3, 24, ComponentKind::prescribed);
+  const StokesProblem problem = ellipses(2, 3, 16, ComponentKind::prescribed);
   omp_set_num_threads(1);
   const HierarchicalPreconditioner one = hierarchy(problem, {});
   omp_set_num_threads(2);
