@@ -13,7 +13,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "preconditioning/coupling_blocks.hpp"
 #include "trapezoid/require.hpp"
 
 namespace stokesbook {
@@ -27,22 +26,10 @@ namespace {
 using Member = BlockDiagonalPreconditioner::Member;
 using Pair = std::pair<std::size_t, std::size_t>;  // target, source
 
-bool is_held(const Component& component, ClusterForm form) {
-  return form == ClusterForm::resistance ? is_inner(component)
-                                         : component.kind == ComponentKind::prescribed;
-}
-
 // Returns the tolerance tau of a basis, for a gap relative to the radii of gyration: in tight gaps
 // large components of the densities cancel, so that small ones matter.
 double basis_tolerance(double gap) {
   return std::min(0.1, 0.3 * std::sqrt(gap));
-}
-
-// Returns for every component whether the form of the clusters holds it.
-std::vector<bool> held_components(const StokesProblem& problem, ClusterForm form) {
-  std::vector<bool> held;
-  for (const Component& component : problem.components) held.push_back(is_held(component, form));
-  return held;
 }
 
 // Returns the directions Q of a component that couple it to its neighbours: eigenvectors of the
@@ -110,27 +97,12 @@ MatrixXd coupling(const std::map<Pair, MatrixXd>& blocks, const std::vector<std:
 
 }  // namespace
 
-double held_gauge(const StokesProblem& problem) {
-  double largest = 0.0;
-  for (const Component& component : problem.components) {
-    if (!is_inner(component)) continue;
-    largest = std::max(largest, RigidModes(component.curve, component.centre).gyration_radius());
-  }
-  return 100.0 * largest;
-}
-
-MatrixXd cluster_block(Component component, ClusterForm form, double gauge) {
-  if (!is_held(component, form)) return self_block(component);
-  component.kind = ComponentKind::prescribed;
-  return self_block(component, gauge);
-}
-
 ClusterPreconditioner::ClusterPreconditioner(const StokesProblem& problem, ClusterForm form,
                                              std::vector<Member> alone,
                                              const std::vector<std::vector<Neighbour>>& neighbours,
                                              const LayerBlock& layer)
     : alone_(alone), clusters_(alone.size()), bases_(alone.size()), couplings_(alone.size()) {
-  const CouplingBlocks system(problem, held_components(problem, form), held_gauge(problem), layer);
+  const CouplingBlocks system(problem, form, layer);
   for (const Index offset : node_offsets(problem)) offsets_.push_back(2 * offset);
   for (std::size_t k = 0; k < alone.size(); ++k) {
     clusters_[k].push_back(k);

@@ -7,27 +7,9 @@
 #include <Eigen/SparseLU>
 
 #include "krylov/block_diagonal.hpp"
+#include "preconditioning/coupling_blocks.hpp"
 
 namespace stokesbook {
-
-/// Returns the gauge length \f$ \ell \f$ of the Stokeslets with which bodies are held in clusters:
-/// a hundred times the largest radius of gyration a of all inner components.
-///
-/// A cluster of radius R that moves as a whole at the velocity U exerts the force
-/// \f$ 4\pi\mu U/(\log\frac\ell R + \frac12) \f$. With the own gauges \f$ \sqrt e\,a \f$ of the
-/// bodies, the force would be infinite for R = e a, and have the wrong sign for larger clusters.
-double held_gauge(const StokesProblem& problem);
-
-/// The ways in which clusters treat free bodies.
-enum class ClusterForm {
-  mobility,   ///< free bodies stay free
-  resistance  ///< free bodies are held, then released together by a resistance problem
-};
-
-/// Assembles a component's own block in clusters: the self_block() of a free body in the mobility
-/// form and of an enclosing wall; for any other inner component the self_block() of a prescribed
-/// component with the gauge of held_gauge().
-Eigen::MatrixXd cluster_block(Component component, ClusterForm form, double gauge);
 
 /// A component in the cluster of another component.
 struct Neighbour {

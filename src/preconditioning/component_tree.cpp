@@ -12,7 +12,7 @@ using Eigen::Index;
 
 namespace {
 
-// Of n components, group k of 2^m equal groups begins at k n / 2^m.
+// Returns where a group begins if n components are divided into 2^m equal groups.
 Index begin_of(Index group, int m, Index n) {
   return (n * group) >> m;
 }

@@ -2,6 +2,7 @@
 // inverses of own blocks in the frame of the plane.
 #include "preconditioning/coupling_blocks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -15,6 +16,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 namespace {
+
+bool is_held(const Component& component, ClusterForm form) {
+  return form == ClusterForm::resistance ? is_inner(component)
+                                         : component.kind == ComponentKind::prescribed;
+}
 
 // Evaluates at points the flows of the loads F = -4 pi mu U and L = -4 pi mu a^2 omega, for the
 // unit motions U_1, U_2 and a omega. The viscosity cancels.
@@ -45,20 +51,38 @@ MatrixXd turned(const MatrixXd& columns, double angle) {
 
 }  // namespace
 
-CouplingBlocks::CouplingBlocks(const StokesProblem& problem, std::vector<bool> held, double gauge,
-                               LayerBlock layer)
-    : problem_(problem), held_(std::move(held)), gauge_(gauge), layer_(std::move(layer)) {
+double held_gauge(const StokesProblem& problem) {
+  double largest = 0.0;
+  for (const Component& component : problem.components) {
+    if (!is_inner(component)) continue;
+    largest = std::max(largest, RigidModes(component.curve, component.centre).gyration_radius());
+  }
+  return 100.0 * largest;
+}
+
+MatrixXd cluster_block(Component component, ClusterForm form, double gauge) {
+  if (!is_held(component, form)) return self_block(component);
+  component.kind = ComponentKind::prescribed;
+  return self_block(component, gauge);
+}
+
+CouplingBlocks::CouplingBlocks(const StokesProblem& problem, ClusterForm form, LayerBlock layer)
+    : problem_(problem), form_(form), gauge_(held_gauge(problem)), layer_(std::move(layer)) {
   for (const Component& component : problem.components) {
     modes_.push_back(is_inner(component) ? rigid_mode_matrices(component.curve, component.centre)
                                          : RigidModeMatrices{});
   }
 }
 
+bool CouplingBlocks::is_held(std::size_t component) const {
+  return stokesbook::is_held(problem_.components[component], form_);
+}
+
 MatrixXd CouplingBlocks::operator()(std::size_t target, std::size_t source) const {
   const RigidModeMatrices& rigid = modes_[source];
   MatrixXd block = layer_(target, source);
   MatrixXd of_motions = -block * rigid.modes;
-  if (held_[source]) {
+  if (is_held(source)) {
     of_motions += load_flows(problem_.components[target].curve.x,
                              problem_.components[source].centre, rigid.radius, gauge_);
   }

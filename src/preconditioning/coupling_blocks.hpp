@@ -9,15 +9,33 @@
 
 namespace stokesbook {
 
+/// Returns the gauge length \f$ \ell \f$ of the Stokeslets with which bodies are held in clusters:
+/// a hundred times the largest radius of gyration a of all inner components.
+///
+/// A cluster of radius R that moves as a whole at the velocity U exerts the force
+/// \f$ 4\pi\mu U/(\log\frac\ell R + \frac12) \f$. With the own gauges \f$ \sqrt e\,a \f$ of the
+/// bodies, the force would be infinite for R = e a, and have the wrong sign for larger clusters.
+double held_gauge(const StokesProblem& problem);
+
+/// The ways in which clusters treat free bodies.
+enum class ClusterForm {
+  mobility,   ///< free bodies stay free
+  resistance  ///< free bodies are held, then released together by a resistance problem
+};
+
+/// Assembles a component's own block in clusters: the self_block() of a free body in the mobility
+/// form and of an enclosing wall; for any other inner component the self_block() of a prescribed
+/// component with the gauge of held_gauge().
+Eigen::MatrixXd cluster_block(Component component, ClusterForm form, double gauge);
+
 /// The blocks of the system between different components, as preconditioners assemble them.
 class CouplingBlocks {
  public:
-  /// @param  held   one per component: whether its loads follow from its density; free bodies and
-  ///                walls that enclose the fluid are not held
-  /// @param  gauge  gauge length of the Stokeslets of held components, length
+  /// Prepares the blocks of a problem, which must outlive this object.
+  ///
+  /// @param  form   whether free bodies are held
   /// @param  layer  double layer between any two components
-  CouplingBlocks(const StokesProblem& problem, std::vector<bool> held, double gauge,
-                 LayerBlock layer);
+  CouplingBlocks(const StokesProblem& problem, ClusterForm form, LayerBlock layer);
 
   /// Assembles \f$ D(I-P) \f$ at the nodes of a target, and the flows \f$ S\Pi \f$ of the source's
   /// loads if the source is held (13.4).
@@ -26,12 +44,12 @@ class CouplingBlocks {
   /// Returns the rigid motions of an inner component.
   const RigidModeMatrices& modes(std::size_t component) const { return modes_[component]; }
 
-  /// Returns whether a component is held.
-  bool is_held(std::size_t component) const { return held_[component]; }
+  /// Returns whether a component is held: its loads follow from its density.
+  bool is_held(std::size_t component) const;
 
  private:
-  const StokesProblem& problem_;  // outlives this object
-  std::vector<bool> held_;
+  const StokesProblem& problem_;
+  ClusterForm form_;
   double gauge_;
   LayerBlock layer_;
   std::vector<RigidModeMatrices> modes_;

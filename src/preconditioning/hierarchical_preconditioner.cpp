@@ -9,7 +9,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
-#include "preconditioning/cluster_preconditioner.hpp"
 #include "preconditioning/component_tree.hpp"
 #include "preconditioning/coupling_blocks.hpp"
 #include "preconditioning/far_field.hpp"
@@ -198,11 +197,24 @@ class GroupLevel {
     return matrix;
   }
 
-  void set_inverses(std::vector<MatrixXf> inverses) { inverses_ = std::move(inverses); }
-  MatrixXf take_inverse(Index a) { return std::move(inverses_[static_cast<std::size_t>(a)]); }
+  // Inverts T of all groups, before any product with an inverse.
+  void invert() {
+    inverses_.resize(groups_.size());
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t a = 0; a < groups_.size(); ++a) {
+      inverses_[a] = matrix(static_cast<Index>(a)).partialPivLu().inverse();
+    }
+  }
+  MatrixXf take_inverse(Index a) {
+    return std::move(inverses_[static_cast<std::size_t>(a)]);
+  }
 
-  MatrixXf solved(Index a, const MatrixXf& columns) const { return inverse(a) * columns; }
-  MatrixXf times_inverse(Index a, const MatrixXf& rows) const { return rows * inverse(a); }
+  MatrixXf solved(Index a, const MatrixXf& columns) const {
+    return inverse(a) * columns;
+  }
+  MatrixXf times_inverse(Index a, const MatrixXf& rows) const {
+    return rows * inverse(a);
+  }
 
   MatrixXf outgoing(const Box& disk, Index a) const {
     MatrixXf outgoing(far_field_.weights().size(), size(a));
@@ -253,16 +265,16 @@ class GroupLevel {
 
   MatrixXf coupled(Index target, Index source, const MatrixXf& columns) const {
     MatrixXf result = near_coupled(target, source, columns);
-    for (std::size_t i = first_child(target); i < last_child(target); ++i) {
-      MatrixXf local = MatrixXf::Zero(far_field_.weights().size(), columns.cols());
-      for (std::size_t j = first_child(source); j < last_child(source); ++j) {
+    for (std::size_t j = first_child(source); j < last_child(source); ++j) {
+      const MatrixXf multipole =
+          below_[j].outgoing * columns.middleRows(place(source, j), below_[j].width());
+      for (std::size_t i = first_child(target); i < last_child(target); ++i) {
         if (below_[i].coupling(static_cast<Index>(j)) != nullptr) continue;
-        const MatrixXf multipole =
-            below_[j].outgoing * columns.middleRows(place(source, j), below_[j].width());
-        local += far_field_.multipole_to_local(below_[j].disk, below_[i].disk) * multipole;
+        const MatrixXf local =
+            far_field_.multipole_to_local(below_[j].disk, below_[i].disk) * multipole;
+        result.middleRows(place(target, i), below_[i].width()).noalias() +=
+            below_[i].incoming * local;
       }
-      result.middleRows(place(target, i), below_[i].width()).noalias() +=
-          below_[i].incoming * local;
     }
     return result;
   }
@@ -274,8 +286,12 @@ class GroupLevel {
   std::size_t last_child(Index a) const {
     return static_cast<std::size_t>(groups_[static_cast<std::size_t>(a)].last_child);
   }
-  Index place(Index a, std::size_t child) const { return first_[child] - first_[first_child(a)]; }
-  const MatrixXf& inverse(Index a) const { return inverses_[static_cast<std::size_t>(a)]; }
+  Index place(Index a, std::size_t child) const {
+    return first_[child] - first_[first_child(a)];
+  }
+  const MatrixXf& inverse(Index a) const {
+    return inverses_[static_cast<std::size_t>(a)];
+  }
 
   const std::vector<Box>& groups_;
   const std::vector<Reduced>& below_;
@@ -367,10 +383,9 @@ std::pair<std::vector<Box>, std::vector<std::size_t>> inner_disks(const StokesPr
   for (std::size_t k = 0; k < problem.components.size(); ++k) {
     const Component& component = problem.components[k];
     if (!is_inner(component)) continue;
-    Box disk;
-    disk.centre = component.centre;
-    disk.radius = (component.curve.x.array() - component.centre).abs().maxCoeff();
-    disks.first.push_back(disk);
+    disks.first.push_back(
+        {.centre = component.centre,
+         .radius = (component.curve.x.array() - component.centre).abs().maxCoeff()});
     disks.second.push_back(k);
   }
   return disks;
@@ -388,22 +403,19 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
   if (disks.empty()) return;
   const ComponentTree tree(disks);
   for (const Index k : tree.order) order_.push_back(inner[static_cast<std::size_t>(k)]);
-  std::vector<bool> held;
-  for (const Component& component : problem.components) {
-    held.push_back(component.kind == ComponentKind::prescribed);
-  }
-  const double gauge = held_gauge(problem);
-  const CouplingBlocks blocks(problem, std::move(held), gauge, layer);
-  const FarField far_field(settings.order, gauge);
+  const CouplingBlocks blocks(problem, ClusterForm::mobility, layer);
+  const FarField far_field(settings.order, held_gauge(problem));
   double tolerance = settings.tolerance;
 
   const auto add_level = [&](std::vector<MatrixXf> bases, auto inverse_of) {
-    Index first = 0;
+    Index first = 0, direction = 0;
     levels_.emplace_back();
     for (std::size_t a = 0; a < bases.size(); ++a) {
-      const Index size = bases[a].rows();
-      levels_.back().push_back({first, std::move(bases[a]), inverse_of(static_cast<Index>(a))});
+      const Index size = bases[a].rows(), width = bases[a].cols();
+      levels_.back().push_back(
+          {first, direction, std::move(bases[a]), inverse_of(static_cast<Index>(a))});
       first += size;
+      direction += width;
     }
   };
   std::vector<MatrixXf> bases;
@@ -414,12 +426,7 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
     if (unknowns_of(below) <= settings.root) break;
     tolerance *= tolerance_fall;
     GroupLevel level(tree.levels[l], below, far_field);
-    std::vector<MatrixXf> inverses(tree.levels[l].size());
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t a = 0; a < inverses.size(); ++a) {
-      inverses[a] = level.matrix(static_cast<Index>(a)).partialPivLu().inverse();
-    }
-    level.set_inverses(std::move(inverses));
+    level.invert();
     std::vector<Reduced> reduced =
         reduce(level, tree.levels[l], tolerance, settings.reach, far_field, bases);
     add_level(std::move(bases), [&](Index a) { return level.take_inverse(a); });
@@ -439,6 +446,9 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
   const auto unknowns = [](const Group& group) {
     return Eigen::seqN(group.first, group.basis.rows());
   };
+  const auto directions = [](const Group& group) {
+    return Eigen::seqN(group.first_direction, group.basis.cols());
+  };
   // Upwards: Q^T of the data of each level, which are the data of the next level.
   std::vector<VectorXf> data(levels_.size() + 1);
   const Group& last = levels_[0].back();
@@ -446,18 +456,12 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
   for (std::size_t k = 0; k < order_.size(); ++k) {
     data[0](unknowns(levels_[0][k])) = v(own(k)).cast<float>();
   }
-  std::vector<std::vector<Index>> places(levels_.size());  // first direction of each group
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     const std::vector<Group>& groups = levels_[l];
-    Index width = 0;
-    for (const Group& group : groups) {
-      places[l].push_back(width);
-      width += group.basis.cols();
-    }
-    data[l + 1].resize(width);
+    data[l + 1].resize(groups.back().first_direction + groups.back().basis.cols());
 #pragma omp parallel for schedule(static)
     for (std::size_t a = 0; a < groups.size(); ++a) {
-      data[l + 1].segment(places[l][a], groups[a].basis.cols()) =
+      data[l + 1](directions(groups[a])) =
           groups[a].basis.transpose() * data[l](unknowns(groups[a]));
     }
   }
@@ -471,8 +475,7 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
     for (std::size_t a = 0; a < groups.size(); ++a) {
       const Group& group = groups[a];
       auto part = solution(unknowns(group));
-      const VectorXf coupled =
-          part + group.basis * difference.segment(places[l][a], group.basis.cols());
+      const VectorXf coupled = part + group.basis * difference(directions(group));
       if (l > 0) {
         part = group.inverse * coupled;
       } else {

@@ -24,7 +24,7 @@ struct HierarchySettings {
 
 /// Preconditions by eliminating all components in a tree of groups.
 ///
-/// As for clusters, let the operator be \f$ (I+B)A_0 \f$, where \f$ A_0 \f$ consists of the own
+/// Let the operator be \f$ (I+B)A_0 \f$ as for clusters, where \f$ A_0 \f$ consists of the own
 /// blocks, and let the columns of Q span the directions in which components are coupled:
 /// \f$ (I+B)^{-1} \approx I - QQ^T + Q\,C^{-1}Q^T \f$ with \f$ C = I+Q^TBQ \f$ (13.7). The small
 /// system C couples all components. Let T be its blocks of groups of four. Then
@@ -60,9 +60,10 @@ class HierarchicalPreconditioner {
  private:
   // A group, or a component on the lowest level, with the directions that couple it to all others.
   struct Group {
-    Eigen::Index first;       // its first unknown among those of its level
-    Eigen::MatrixXf basis;    // Q
-    Eigen::MatrixXf inverse;  // T^{-1}; empty for components, which are solved alone
+    Eigen::Index first;            // its first unknown among those of its level
+    Eigen::Index first_direction;  // its first direction among those of its level
+    Eigen::MatrixXf basis;         // Q
+    Eigen::MatrixXf inverse;       // T^{-1}; empty for components, which are solved alone
   };
 
   BlockDiagonalPreconditioner alone_;

@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(groups_consist_of_at_most_four_children_and_their_disks_con
 }
 
 BOOST_AUTO_TEST_CASE(groups_are_compact) {
-  // Of 256 places on a square lattice, groups of four are squares.
+  // All groups of 256 places on a square lattice are squares.
   std::vector<Box> disks;
   for (int i = 0; i < 256; ++i) {
     Box disk;

@@ -18,14 +18,7 @@ constexpr int order = 30;
 constexpr double gauge = 70.0;
 constexpr float rounding = 2e-5F;
 
-Box disk(Complex centre, double radius) {
-  Box box;
-  box.centre = centre;
-  box.radius = radius;
-  return box;
-}
-
-const Box left = disk({0.4, -0.3}, 1.0), right = disk({4.1, 1.7}, 1.2);
+const Box left{.centre = {0.4, -0.3}, .radius = 1.0}, right{.centre = {4.1, 1.7}, .radius = 1.2};
 const Curve in_left = place(sample(Ellipse{0.8, 0.5}, 24, Side::fluid_outside), {0.5, -0.2}, 0.6);
 const ComplexVector in_right{{Complex(4.9, 1.2), Complex(3.3, 1.5), Complex(4.0, 2.6)}};
 
@@ -72,7 +65,7 @@ BOOST_AUTO_TEST_CASE(a_conversion_gives_the_flow_of_loads_with_their_gauge) {
 
 BOOST_AUTO_TEST_CASE(translations_keep_the_flow) {
   const FarField far(order, gauge);
-  const Box large = disk({0.2, 0.1}, 1.6), small = disk({4.2, 1.8}, 1.1);
+  const Box large{.centre = {0.2, 0.1}, .radius = 1.6}, small{.centre = {4.2, 1.8}, .radius = 1.1};
   const Complex centre(0.6, -0.5);
   const MatrixXf found = far.at_points(small, in_right) * far.local_to_local(right, small) *
                          far.multipole_to_local(large, right) *
