@@ -155,6 +155,17 @@ BOOST_AUTO_TEST_CASE(dense_packings_take_few_iterations_in_a_tree,
   BOOST_TEST(iterations_by(network, PreconditionerKind::hierarchical) <= 40);
 }
 
+BOOST_AUTO_TEST_CASE(large_crowds_are_told_from_networks_and_few_bodies) {
+  const auto is_crowd = [](const Scene& scene) {
+    const Discretised start(with_preconditioner(scene, PreconditionerKind::none));
+    return is_random_crowd(start.solver.gaps(start.configuration), start.discretisation);
+  };
+  BOOST_TEST(is_crowd(disk_packing(200)));
+  BOOST_TEST(!is_crowd(disk_hexagon(2, 1e-2, 1e-3)));
+  BOOST_TEST(!is_crowd(disk_packing(40)));
+  BOOST_TEST(!is_crowd(disk_hexagon(7, 1e-2, 1e-1)));  // 169 disks
+}
+
 BOOST_AUTO_TEST_CASE(neighbours_are_mutual_and_leave_enclosing_walls_out) {
   const Wall container = outer_wall(Circle{6.0}, automatic_nodes);
   const Discretised start(mixed({container}));
