@@ -75,6 +75,9 @@ BOOST_AUTO_TEST_CASE(flows_and_solvers) {
        "sum lacks"},
       {cell() + disk() + "[solver]\npreconditioner = 'clusters'\n",
        "s.toml:7:1: solver.preconditioner = \"clusters\": not supported in a periodic cell yet"},
+      {cell() + disk() + "[solver]\npreconditioner = 'hierarchical'\n",
+       "s.toml:7:1: solver.preconditioner = \"hierarchical\": not supported in a periodic cell "
+       "yet"},
       {cell() + disk() + "[solver]\ncoupling = 'local'\n",
        "s.toml:7:1: solver.coupling = \"local\": not supported in a periodic cell yet"},
   });
