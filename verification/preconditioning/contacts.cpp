@@ -281,7 +281,10 @@ Experiment loaded_packings() {
                                               "less, and distant groups are coupled",
                                     .api = {"stokesbook::HierarchicalPreconditioner"}},
                      .control = Control{"free clusters",
-                                        counts(loaded_by_disks(), ClusterForm::mobility)}}}};
+                                        counts(loaded_by_disks(), ClusterForm::mobility)}},
+                    {.key = "free",
+                     .label = "free clusters",
+                     .measure = counts(loaded_by_disks(), ClusterForm::mobility)}}};
 }
 
 Experiment packing_fractions() {
