@@ -1,10 +1,13 @@
 // Evaluates Cauchy integrals on the fluid's side of a curve by the compensated barycentric formula
-// (06.14), and distinguishes the sides of the curve by the formula's divisor (06.15).
+// (06.14), their limits on the curve by (06.11), and distinguishes the sides of the curve by the
+// formula's divisor (06.15).
 #include "near_singular/barycentric.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "trapezoid/fourier.hpp"
 
 namespace stokesbook {
 
@@ -125,6 +128,34 @@ std::vector<BarycentricValues> Barycentric::operator()(const Eigen::Ref<const Co
     store(partner, sums_of_partner);
   }
   return values;
+}
+
+// (C+[f])_j = [s=+1] f_j + sum_k (f_k - f_j) c_k / (x_k - x_j) + f'_j s h / (2 pi i), where the
+// term k = j of the sum vanishes (06.11).
+ComplexVector Barycentric::limits(const ComplexVector& f) const {
+  const Index n = size();
+  const Eigen::VectorXd real = f.real(), imag = f.imag();
+  const double *x = x_.data(), *y = y_.data(), *cx = cx_.data(), *cy = cy_.data();
+  const double *fx = real.data(), *fy = imag.data();
+  const double sign = own_ == 1.0 ? -1.0 : 1.0;
+  ComplexVector result = differentiate(f) * (sign / (imaginary * static_cast<double>(n)));
+  for (Index j = 0; j < n; ++j) {
+    const double xj = x[j], yj = y[j], fxj = fx[j], fyj = fy[j];
+    double sum_x = 0.0, sum_y = 0.0;
+#pragma omp simd reduction(+ : sum_x, sum_y)
+    for (Index k = 0; k < n; ++k) {
+      const double rx = x[k] - xj, ry = y[k] - yj;
+      const double inverse = 1.0 / std::max(rx * rx + ry * ry, std::numeric_limits<double>::min());
+      // c / (x_k - x_j) = c conj(r) / rho^2 with r = x_k - x_j
+      const double wx = (cx[k] * rx + cy[k] * ry) * inverse;
+      const double wy = (cy[k] * rx - cx[k] * ry) * inverse;
+      const double gx = fx[k] - fxj, gy = fy[k] - fyj;
+      sum_x += wx * gx - wy * gy;
+      sum_y += wx * gy + wy * gx;
+    }
+    result[j] += Complex{sum_x, sum_y} + (1.0 - own_) * f[j];
+  }
+  return result;
 }
 
 Eigen::MatrixXcd Barycentric::weights(const ComplexVector& targets) const {

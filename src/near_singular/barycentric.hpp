@@ -35,6 +35,12 @@ class Barycentric {
                                             const Eigen::Ref<const ComplexVector>& h,
                                             const ComplexVector& targets) const;
 
+  /// Evaluates the limits of a Cauchy integral from the fluid at all nodes (06.11), from the values
+  /// of a function there.
+  ///
+  /// @par Cost  18 N^2 operations and N^2 divisions
+  ComplexVector limits(const ComplexVector& f) const;
+
   /// Evaluates the weights w, m x N, at m targets on the fluid's side or on nodes, with 10 N
   /// operations per target.
   Eigen::MatrixXcd weights(const ComplexVector& targets) const;

@@ -25,16 +25,18 @@ MatrixXcd cauchy_matrix(const Curve& curve) {
   const Complex derivative_weight = curve.sign() / (imaginary * static_cast<double>(n));
   const ComplexVector cauchy_weights = derivative_weight * curve.dx;
   MatrixXcd matrix = derivative_weight * differentiation_matrix(n);
-  for (Index j = 0; j < n; ++j) {
-    Complex row_sum{};
-    for (Index k = 0; k < n; ++k) {
-      if (k == j) continue;
-      const Complex entry = cauchy_weights[k] / (curve.x[k] - curve.x[j]);
+  ComplexVector row_sums = ComplexVector::Zero(n);
+  for (Index k = 0; k < n; ++k) {
+    for (Index j = 0; j < n; ++j) {
+      if (j == k) continue;
+      const Complex difference = curve.x[k] - curve.x[j];
+      const Complex entry = cauchy_weights[k] * std::conj(difference) / std::norm(difference);
       matrix(j, k) += entry;
-      row_sum += entry;
+      row_sums[j] += entry;
     }
-    matrix(j, j) += (curve.side == Side::fluid_inside ? 1.0 : 0.0) - row_sum;
   }
+  const double jump = curve.side == Side::fluid_inside ? 1.0 : 0.0;
+  matrix.diagonal().array() += jump - row_sums.array();
   return matrix;
 }
 // [cauchy_matrix]
@@ -62,24 +64,37 @@ MatrixXcd along(const Curve& curve, const MatrixXcd& f) {
 
 }  // namespace
 
+CauchyCurve::CauchyCurve(const Curve& reference, KernelStorage storage)
+    : curve_(reference), barycentric_(curve_), layer_({curve_}) {
+  if (storage == KernelStorage::stored) stored_ = matrices();
+}
+
 // phi = -C+[eta] / 2 (06.10), and the limit U = -eta / 2 + D eta from the fluid (02.8).
-CauchyCurve::CauchyCurve(const Curve& reference)
-    : curve_(reference),
-      barycentric_(curve_),
-      phi_(-0.5 * cauchy_matrix(curve_)),
-      dphi_(along(curve_, phi_)),
-      limit_(double_layer_matrix(curve_)) {
-  limit_.diagonal().array() -= 0.5;
+CauchyCurve::Matrices CauchyCurve::matrices() const {
+  const MatrixXcd phi = -0.5 * cauchy_matrix(curve_);
+  MatrixXd limit = double_layer_matrix(curve_);
+  limit.diagonal().array() -= 0.5;
+  return {phi, along(curve_, phi), limit};
 }
 
 CauchyData CauchyCurve::data(const MatrixXcd& densities) const {
   const Index rows = 2 * densities.rows(), columns = densities.cols();
+  if (!stored_) {
+    CauchyData data{MatrixXcd(rows / 2, columns), MatrixXcd(rows / 2, columns), {}};
+    for (Index k = 0; k < columns; ++k) {
+      const ComplexVector density = densities.col(k);
+      data.limit.col(k) = layer_(density) + diagonal_velocity(curve_, density) - 0.5 * density;
+      data.phi.col(k) = -0.5 * barycentric_.limits(density);
+    }
+    data.dphi = along(curve_, data.phi);
+    return data;
+  }
   const Eigen::Map<const MatrixXd> interleaved_densities(
       reinterpret_cast<const double*>(densities.data()), rows, columns);
-  const MatrixXd limit = limit_ * interleaved_densities;
+  const MatrixXd limit = stored_->limit * interleaved_densities;
   const Eigen::Map<const MatrixXcd> complex_limit(reinterpret_cast<const Complex*>(limit.data()),
                                                   rows / 2, columns);
-  return {complex_limit, phi_ * densities, dphi_ * densities};
+  return {complex_limit, stored_->phi * densities, stored_->dphi * densities};
 }
 
 // u = C[phi] - conj(C[chi + (conj(z) - conj(x)) phi']) (06.13) with chi = conj(phi - U) (06.12).
@@ -99,12 +114,15 @@ ComplexVector CauchyCurve::velocity(const CauchyData& data, Index column,
 // (06.13), sorted by U, phi and phi':
 // u(z) = sum_j conj(w_j) U_j + 2 i Im(w_j) phi_j - conj(w_j) (z - x_j) conj(phi'_j).
 MatrixXd CauchyCurve::velocity_rows(const ComplexVector& targets) const {
+  std::optional<Matrices> assembled;
+  if (!stored_) assembled = this->matrices();
+  const Matrices& matrices = stored_ ? *stored_ : *assembled;
   const MatrixXcd w = barycentric_.weights(targets);
   const Index m = w.rows(), n = w.cols();
   const MatrixXcd r = targets.replicate(1, n) - curve_.x.transpose().replicate(m, 1);
-  const MatrixXcd direct = (2.0 * imaginary * w.imag()) * phi_;
-  const MatrixXcd conjugate = -w.conjugate().cwiseProduct(r) * dphi_.conjugate();
-  return interleaved_map(w.conjugate(), MatrixXcd::Zero(m, n)) * limit_ +
+  const MatrixXcd direct = (2.0 * imaginary * w.imag()) * matrices.phi;
+  const MatrixXcd conjugate = -w.conjugate().cwiseProduct(r) * matrices.dphi.conjugate();
+  return interleaved_map(w.conjugate(), MatrixXcd::Zero(m, n)) * matrices.limit +
          interleaved_map(direct, conjugate);
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
 #include "double_layer/flow_derivatives.hpp"
+#include "double_layer/stresslet_sum.hpp"
 #include "near_singular/barycentric.hpp"
 
 namespace stokesbook {
@@ -43,13 +46,15 @@ struct CauchyDerivativeData {
 /// @sa source: Helsing and Ojala, J. Comput. Phys. 227 (2008), 2899
 class CauchyCurve {
  public:
-  /// Prepares the matrices of one curve of N nodes in its own frame: O(N^2 log N) operations,
-  /// 64 N^2 bytes.
-  explicit CauchyCurve(const Curve& reference);
+  /// Prepares one curve of N nodes in its own frame.
+  ///
+  /// @param  storage  stored for curves that many bodies share: matrices, with O(N^2 log N)
+  ///                  operations and 64 N^2 bytes; streamed: no matrices
+  explicit CauchyCurve(const Curve& reference, KernelStorage storage = KernelStorage::stored);
 
   /// Computes the node values for k densities, N x k, in the curve's frame.
   ///
-  /// @par Cost  12 N^2 k real multiplications
+  /// @par Cost  12 N^2 k real multiplications; streamed: the kernels of N^2 k pairs
   CauchyData data(const Eigen::MatrixXcd& densities) const;
 
   /// Evaluates the velocity of a density on the fluid's side, at any distance or on a node.
@@ -63,7 +68,8 @@ class CauchyCurve {
   ///
   /// @param  targets  m points on the fluid's side or on nodes
   /// @return          2m x 2N, dimensionless, interleaved (x_0, y_0, x_1, y_1, ...)
-  /// @par Cost        16 N^2 real multiplications per target, as matrix products
+  /// @par Cost        16 N^2 real multiplications per target, as matrix products; streamed: also
+  ///                  O(N^2 log N) for the matrices
   Eigen::MatrixXd velocity_rows(const ComplexVector& targets) const;
 
   /// Computes the node values for the derivatives of the flow, from data() of k densities, with
@@ -89,11 +95,17 @@ class CauchyCurve {
   const Curve& curve() const { return curve_; }  ///< returns the nodes, in the curve's own frame
 
  private:
+  struct Matrices {
+    Eigen::MatrixXcd phi;   // density -> phi
+    Eigen::MatrixXcd dphi;  // density -> phi'
+    Eigen::MatrixXd limit;  // density -> U: -1/2 + D, interleaved
+  };
+  Matrices matrices() const;
+
   Curve curve_;
   Barycentric barycentric_;
-  Eigen::MatrixXcd phi_;   // density -> phi
-  Eigen::MatrixXcd dphi_;  // density -> phi'
-  Eigen::MatrixXd limit_;  // density -> U: -1/2 + D, interleaved
+  StressletSum layer_;
+  std::optional<Matrices> stored_;
 };
 
 }  // namespace stokesbook

@@ -71,15 +71,16 @@ ComplexVector differentiate(const ComplexVector& f) {
 
 Eigen::MatrixXd differentiation_matrix(Index n) {
   require_even(n);
+  // (1 / 2) (-1)^{j - k} cot((t_j - t_k) / 2) depends on j - k alone, and is 0 on the diagonal.
+  Eigen::VectorXd of_lag = Eigen::VectorXd::Zero(n);
+  for (Index lag = 1; lag < n; ++lag) {
+    const double half_angle = std::numbers::pi * static_cast<double>(lag) / static_cast<double>(n);
+    of_lag[lag] = (lag % 2 == 0 ? 0.5 : -0.5) / std::tan(half_angle);
+  }
   Eigen::MatrixXd matrix(n, n);
-  // (1 / 2) (-1)^{j - k} cot((t_j - t_k) / 2), and 0 on the diagonal.
-  for (Index j = 0; j < n; ++j) {
-    for (Index k = 0; k < n; ++k) {
-      const Index lag = j - k;
-      const double half_angle =
-          std::numbers::pi * static_cast<double>(lag) / static_cast<double>(n);
-      matrix(j, k) = lag == 0 ? 0.0 : (lag % 2 == 0 ? 0.5 : -0.5) / std::tan(half_angle);
-    }
+  for (Index k = 0; k < n; ++k) {
+    matrix.col(k).head(k) = -of_lag.segment(1, k).reverse();
+    matrix.col(k).tail(n - k) = of_lag.head(n - k);
   }
   return matrix;
 }

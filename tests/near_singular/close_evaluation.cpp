@@ -150,6 +150,28 @@ BOOST_AUTO_TEST_CASE(rows_of_the_cauchy_scheme) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(without_stored_matrices) {
+  for (const SolvedCase& c : solved_cases) {
+    const Solved stored(c);
+    const CauchyCurve streamed(stored.curve, KernelStorage::streamed);
+    Eigen::MatrixXcd densities(c.n, 2);
+    densities << test::density_of(stored.curve, c.flow.velocity(stored.curve.x)), stored.curve.x;
+    const CauchyData expected = stored.cauchy.data(densities), data = streamed.data(densities);
+    const auto difference = [](const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
+      return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+    };
+    BOOST_TEST_CONTEXT(c.name) {
+      BOOST_TEST(difference(data.limit, expected.limit) < accuracy);
+      BOOST_TEST(difference(data.phi, expected.phi) < accuracy);
+      // The derivative multiplies rounding by up to N / 2, and more at the tips.
+      BOOST_TEST(difference(data.dphi, expected.dphi) < 1e-10);
+      const ComplexVector targets = stored.curve.x.head(2);
+      BOOST_TEST((streamed.velocity_rows(targets) - stored.cauchy.velocity_rows(targets)).norm() ==
+                 0.0);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(one_column_a_density) {
   const Curve curve = sample(Ellipse{1.0, 0.5}, 64, Side::fluid_outside);
   const CauchyCurve cauchy(curve);

@@ -26,7 +26,11 @@ DiscretisedShape build(const Shape& shape, const Resolution& resolution, Compone
   discretised.shape_residual =
       resolution.is_graded() ? rigid_motion_residual(curve) : shape_residual(shape, curve);
   discretised.gyration_radius = RigidModes(curve, {}).gyration_radius();
-  if (needs.cauchy) discretised.cauchy = std::make_shared<CauchyCurve>(curve);
+  if (needs.cauchy) {
+    // Graded nodes suit one body in one configuration: no other body shares its matrices.
+    discretised.cauchy = std::make_shared<CauchyCurve>(
+        curve, resolution.is_graded() ? KernelStorage::streamed : KernelStorage::stored);
+  }
   if (needs.interpolation_tolerance) {
     discretised.interpolation = std::make_shared<InterpolationCurve>(
         curve, InterpolationSettings::for_tolerance(*needs.interpolation_tolerance));
