@@ -41,10 +41,9 @@ struct Row {
   Index nodes() const {
     return 2 * static_cast<Index>(std::ceil(8.0 + 9.0 / std::acosh(1.0 + 0.5 * gap)));
   }
-  // The double layer of one disk at the nodes of another disk.
-  MatrixXd layer(std::size_t target, std::size_t source) const {
-    const auto& disks = problem.components;
-    return disk.velocity_rows(disks[target].curve.x.array() - disks[source].centre);
+  // The double layer of one disk at nodes of other disks.
+  MatrixXd layer(const ComplexVector& targets, std::size_t source) const {
+    return disk.velocity_rows(targets.array() - problem.components[source].centre);
   }
 };
 // [row]
@@ -63,7 +62,7 @@ MatrixXd reduced_matrix(const Row& row) {
       if (target == source) {
         block = self_block(own);
       } else {
-        const MatrixXd layer = row.layer(target, source);
+        const MatrixXd layer = row.layer(row.problem.components[target].curve.x, source);
         block = layer - (layer * rigid.modes) * rigid.projection;
       }
     }
@@ -84,7 +83,9 @@ ClusterPreconditioner clusters(const Row& row, ClusterForm form) {
   }
   return {row.problem, form,
           std::vector(disk_count, BlockDiagonalPreconditioner::Member{inverse, 0.0}), neighbours,
-          [&row](std::size_t target, std::size_t source) { return row.layer(target, source); }};
+          [&row](const ComplexVector& targets, std::size_t source) {
+            return row.layer(targets, source);
+          }};
 }
 // [clusters]
 

@@ -263,4 +263,34 @@ void Translations::m2l(const std::vector<Box>& boxes, const Expansions& multipol
   }
 }
 
+// (08.10) and (08.11)
+Eigen::MatrixXd Translations::m2l_matrix(const Box& from, const Box& to) const {
+  const Complex distance = to.centre - from.centre;
+  const Complex outward = from.radius / distance, inward = -to.radius / distance;
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4 * (order_ + 1), 4 * (order_ + 1));
+  // Adds the product with a complex number, from the part of a column's power to that of a row's.
+  const auto add = [&](Index row, Index column, Complex factor) {
+    matrix(row, column) += factor.real();
+    matrix(row, column + 1) -= factor.imag();
+    matrix(row + 1, column) += factor.imag();
+    matrix(row + 1, column + 1) += factor.real();
+  };
+  Complex of_column = 1.0;
+  for (Index k = 0; k <= order_; ++k, of_column *= outward) {
+    Complex of_row = of_column;
+    for (Index l = 0; l <= order_; ++l, of_row *= inward) {
+      const Complex factor = m2l_(l, k) * of_row;
+      add(4 * l, 4 * k, factor);          // phi to phi
+      add(4 * l + 2, 4 * k + 2, factor);  // psi to psi
+      if (l > 0) {
+        const auto power = static_cast<double>(l);
+        add(4 * l - 2, 4 * k, power * factor * std::conj(distance) / to.radius);  // phi to psi
+      }
+    }
+  }
+  add(0, 0, std::log(distance));
+  add(2, 2, std::log(distance) - 1.0);
+  return matrix;
+}
+
 }  // namespace stokesbook

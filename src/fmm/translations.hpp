@@ -52,6 +52,12 @@ class Translations {
            std::span<const Eigen::Index> list, Eigen::Index field, const Box& target,
            Eigen::Ref<Expansion> sum) const;
 
+  /// Assembles m2l() of one source box as a matrix of 4(p + 1) rows and columns, which acts on the
+  /// coefficients of an Expansion, column by column.
+  ///
+  /// @par Cost  16 (p + 1)^2 numbers
+  Eigen::MatrixXd m2l_matrix(const Box& from, const Box& to) const;
+
  private:
   using Matrix = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

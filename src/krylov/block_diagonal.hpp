@@ -39,8 +39,8 @@ Eigen::MatrixXd closed_modes(const Closure& closure, const Eigen::MatrixXd& mode
                              Eigen::Index first, Eigen::Index n);
 
 /// A function, called by several threads at once, that assembles the double layer of one component
-/// at the nodes of another: 2M x 2N, dimensionless, interleaved, in the frame of the plane.
-using LayerBlock = std::function<Eigen::MatrixXd(std::size_t target, std::size_t source)>;
+/// at m nodes of others: 2m x 2N, dimensionless, interleaved, in the frame of the plane.
+using LayerBlock = std::function<Eigen::MatrixXd(const ComplexVector& targets, std::size_t source)>;
 
 /// The inverse of the diagonal blocks (05.10): solves for every component as if it were alone.
 ///

@@ -21,7 +21,7 @@ MatrixXd layer_of_all(const StokesProblem& problem, const LayerBlock& layer) {
       const Component& own = problem.components[source];
       matrix.block(2 * offsets[target], 2 * offsets[source],
                    2 * problem.components[target].curve.size(), 2 * own.curve.size()) =
-          target == source ? own_layer(own) : layer(target, source);
+          target == source ? own_layer(own) : layer(problem.components[target].curve.x, source);
     }
   }
   return matrix;

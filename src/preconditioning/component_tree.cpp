@@ -70,9 +70,8 @@ ComponentTree::ComponentTree(const std::vector<Box>& disks) : order(disks.size()
   levels.emplace_back();
   for (Index k = 0; k < n; ++k) {
     Box single = disks[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
-    single.first = k;
-    single.last = k + 1;
-    single.first_child = single.last_child = 0;
+    single.first = single.first_child = k;
+    single.last = single.last_child = k + 1;
     levels.back().push_back(single);
   }
   for (int m = 2 * (depth - 1); m >= 0; m -= 2) {

@@ -21,7 +21,7 @@ struct ComponentTree {
   std::vector<Eigen::Index> order;  ///< components in the order of the tree
   /// The groups of each level with the disks about their components. The points of a group are the
   /// components from `first` to `last` in the tree's order. Its children are groups of the level
-  /// below; those of the lowest level, which consists of single components, have none.
+  /// below. On the lowest level, a group is one component, which is its only child, too.
   std::vector<std::vector<Box>> levels;
 };
 

@@ -78,13 +78,12 @@ bool CouplingBlocks::is_held(std::size_t component) const {
   return stokesbook::is_held(problem_.components[component], form_);
 }
 
-MatrixXd CouplingBlocks::operator()(std::size_t target, std::size_t source) const {
+MatrixXd CouplingBlocks::operator()(const ComplexVector& targets, std::size_t source) const {
   const RigidModeMatrices& rigid = modes_[source];
-  MatrixXd block = layer_(target, source);
+  MatrixXd block = layer_(targets, source);
   MatrixXd of_motions = -block * rigid.modes;
   if (is_held(source)) {
-    of_motions += load_flows(problem_.components[target].curve.x,
-                             problem_.components[source].centre, rigid.radius, gauge_);
+    of_motions += load_flows(targets, problem_.components[source].centre, rigid.radius, gauge_);
   }
   block += of_motions * rigid.projection;
   return block;

@@ -34,12 +34,17 @@ class CouplingBlocks {
   /// Prepares the blocks of a problem, which must outlive this object.
   ///
   /// @param  form   whether free bodies are held
-  /// @param  layer  double layer between any two components
+  /// @param  layer  double layer of any component at nodes of others
   CouplingBlocks(const StokesProblem& problem, ClusterForm form, LayerBlock layer);
 
-  /// Assembles \f$ D(I-P) \f$ at the nodes of a target, and the flows \f$ S\Pi \f$ of the source's
-  /// loads if the source is held (13.4).
-  Eigen::MatrixXd operator()(std::size_t target, std::size_t source) const;
+  /// Assembles \f$ D(I-P) \f$ of a source at nodes of other components, and the flows \f$ S\Pi \f$
+  /// of the source's loads if the source is held (13.4).
+  Eigen::MatrixXd operator()(const ComplexVector& targets, std::size_t source) const;
+
+  /// Assembles the block at all nodes of one other component.
+  Eigen::MatrixXd operator()(std::size_t target, std::size_t source) const {
+    return (*this)(problem_.components[target].curve.x, source);
+  }
 
   /// Returns the rigid motions of an inner component.
   const RigidModeMatrices& modes(std::size_t component) const { return modes_[component]; }

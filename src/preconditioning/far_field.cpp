@@ -28,7 +28,7 @@ MatrixXf assembled(const Expansions& units, int order, const Map& map) {
   MatrixXf matrix(count, count);
   for (Index k = 0; k < count; ++k) {
     Expansion sum = Expansion::Zero(4, order + 1);
-    map(units(0, k), k, sum);
+    map(units(0, k), sum);
     matrix.col(k) = as_vector(sum);
   }
   return matrix;
@@ -95,24 +95,19 @@ MatrixXf FarField::at_points(const Box& disk, const ComplexVector& points) const
 }
 
 MatrixXf FarField::multipole_to_multipole(const Box& from, const Box& to) const {
-  return assembled(units_, translations_.order(), [&](const auto& unit, Index, Expansion& sum) {
+  return assembled(units_, translations_.order(), [&](const auto& unit, Expansion& sum) {
     translations_.m2m(from, unit, to, sum);
   });
 }
 
 MatrixXf FarField::local_to_local(const Box& from, const Box& to) const {
-  return assembled(units_, translations_.order(), [&](const auto& unit, Index, Expansion& sum) {
+  return assembled(units_, translations_.order(), [&](const auto& unit, Expansion& sum) {
     translations_.l2l(from, unit, to, sum);
   });
 }
 
 MatrixXf FarField::multipole_to_local(const Box& from, const Box& to) const {
-  const std::vector<Box> boxes{from};
-  const Index box = 0;
-  MatrixXf matrix =
-      assembled(units_, translations_.order(), [&](const auto&, Index field, Expansion& sum) {
-        translations_.m2l(boxes, units_, {&box, 1}, field, to, sum);
-      });
+  MatrixXf matrix = translations_.m2l_matrix(from, to).cast<float>();
   // Stokeslets with the gauge length ell differ by -2 A_0 log ell from those with the length 1.
   for (Index part = 0; part < 2; ++part) {
     matrix(part, part) -= static_cast<float>(2.0 * log_gauge_);

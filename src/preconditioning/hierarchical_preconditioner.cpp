@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 
 #include "preconditioning/component_tree.hpp"
@@ -17,6 +20,7 @@
 namespace stokesbook {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 using Eigen::VectorXf;
 
@@ -26,7 +30,7 @@ using Member = BlockDiagonalPreconditioner::Member;
 
 // The tolerance of groups falls by this factor from level to level: the larger a group is, the
 // softer are the motions in which its errors show.
-constexpr double tolerance_fall = 0.8;
+constexpr double tolerance_fall = 0.6;
 // Weight of expansions beside near blocks when directions are chosen, where all far groups count
 // together.
 constexpr float far_weight = 3.0F;
@@ -107,71 +111,72 @@ void add_products(const MatrixXf& columns, MatrixXf& gram) {
   if (columns.cols() > 0) gram.selfadjointView<Eigen::Lower>().rankUpdate(columns);
 }
 
-// The lowest level: single components.
-class ComponentLevel {
- public:
-  ComponentLevel(const StokesProblem& problem, const std::vector<Member>& alone,
-                 const CouplingBlocks& blocks, const std::vector<std::size_t>& order,
-                 const FarField& far_field)
-      : problem_(problem), alone_(alone), blocks_(blocks), order_(order), far_field_(far_field) {}
+Eigen::Matrix2f rotation(double angle) {
+  return Eigen::Rotation2Df(static_cast<float>(angle)).toRotationMatrix();
+}
 
-  Index size(Index a) const { return member(a).inverse->rows(); }
-
-  MatrixXf solved(Index a, const MatrixXf& columns) const {
-    return solved_alone(member(a), columns.cast<double>()).cast<float>();
+// Returns the inverse of a component's own block in the frame of the plane.
+MatrixXf inverse_in_plane(const Member& member) {
+  MatrixXf inverse = member.inverse->cast<float>();
+  const Eigen::Matrix2f turn = rotation(member.orientation);
+  for (Index j = 0; j < inverse.cols(); j += 2) {
+    const Eigen::MatrixX2f pair = inverse.middleCols<2>(j) * turn.transpose();
+    inverse.middleCols<2>(j).reshaped(2, inverse.rows()).noalias() =
+        turn * pair.reshaped(2, inverse.rows());
   }
+  return inverse;
+}
 
-  MatrixXf times_inverse(Index a, const MatrixXf& rows) const {
-    return stokesbook::times_inverse(rows.cast<double>(), member(a)).cast<float>();
+// Describes single components as groups of which nothing has been left out: their directions are
+// all unknowns, and A_0^{-1} has been applied to what they send.
+std::vector<Reduced> single_components(const StokesProblem& problem,
+                                       const std::vector<Member>& alone,
+                                       const CouplingBlocks& blocks,
+                                       const std::vector<std::size_t>& order,
+                                       const std::vector<Box>& disks, double reach,
+                                       const FarField& far_field) {
+  const auto near = near_groups(disks, reach);
+  std::vector<Reduced> singles(order.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t a = 0; a < order.size(); ++a) {
+    singles[a].disk = disks[a];
+    singles[a].near = near[a];
+    singles[a].couplings.resize(near[a].size());
+    singles[a].incoming = far_field.at_points(disks[a], problem.components[order[a]].curve.x);
   }
-
-  MatrixXf outgoing(const Box& disk, Index a) const {
-    const std::size_t own = component(a);
-    const RigidModeMatrices& rigid = blocks_.modes(own);
-    const Component& body = problem_.components[own];
-    MatrixXf outgoing = far_field_.of_densities(disk, body.curve);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t source = 0; source < order.size(); ++source) {
+    const std::size_t own = order[source];
+    const Component& body = problem.components[own];
+    const Box& disk = disks[source];
+    const MatrixXf inverse = inverse_in_plane(alone[own]);
+    const RigidModeMatrices& rigid = blocks.modes(own);
+    MatrixXf outgoing = far_field.of_densities(disk, body.curve);
     MatrixXf of_motions = -outgoing * rigid.modes.cast<float>();
-    if (blocks_.is_held(own)) of_motions += far_field_.of_loads(disk, body.centre, rigid.radius);
+    if (blocks.is_held(own)) of_motions += far_field.of_loads(disk, body.centre, rigid.radius);
     outgoing += of_motions * rigid.projection.cast<float>();
-    return outgoing;
+    singles[source].outgoing = outgoing * inverse;
+    std::vector<Curve> targets;
+    for (const Index target : near[source]) {
+      targets.push_back(problem.components[order[static_cast<std::size_t>(target)]].curve);
+    }
+    const MatrixXf block = blocks(all_nodes(targets), own).cast<float>() * inverse;
+    Index row = 0;
+    for (const Index target : near[source]) {
+      Reduced& felt = singles[static_cast<std::size_t>(target)];
+      const auto place = std::ranges::lower_bound(felt.near, static_cast<Index>(source));
+      MatrixXf& coupling = felt.couplings[static_cast<std::size_t>(place - felt.near.begin())];
+      coupling = block.middleRows(row, felt.width());
+      row += coupling.rows();
+    }
   }
+  return singles;
+}
 
-  MatrixXf incoming(const Box& disk, Index a) const {
-    return far_field_.at_points(disk, problem_.components[component(a)].curve.x);
-  }
-
-  // Adds B^T B of the block from a source to a target.
-  void add_gram(Index target, Index source, MatrixXf& gram) const {
-    add_products(block(target, source).transpose(), gram);
-  }
-
-  // Multiplies the block from a source to a target by columns; all of it, and its near part.
-  MatrixXf coupled(Index target, Index source, const MatrixXf& columns) const {
-    return block(target, source) * columns;
-  }
-  MatrixXf near_coupled(Index target, Index source, const MatrixXf& columns) const {
-    return coupled(target, source, columns);
-  }
-
- private:
-  std::size_t component(Index a) const { return order_[static_cast<std::size_t>(a)]; }
-  const Member& member(Index a) const { return alone_[component(a)]; }
-  MatrixXf block(Index target, Index source) const {
-    return blocks_(component(target), component(source)).cast<float>();
-  }
-
-  const StokesProblem& problem_;
-  const std::vector<Member>& alone_;
-  const CouplingBlocks& blocks_;
-  const std::vector<std::size_t>& order_;
-  const FarField& far_field_;
-};
-
-// A higher level: groups of children, which have been reduced.
-class GroupLevel {
+// A level of groups whose children have been reduced.
+class Level {
  public:
-  GroupLevel(const std::vector<Box>& groups, const std::vector<Reduced>& below,
-             const FarField& far_field)
+  Level(const std::vector<Box>& groups, std::vector<Reduced>& below, const FarField& far_field)
       : groups_(groups), below_(below), far_field_(far_field), first_{0} {
     for (const Reduced& child : below) first_.push_back(first_.back() + child.width());
   }
@@ -197,23 +202,24 @@ class GroupLevel {
     return matrix;
   }
 
-  // Inverts T of all groups, before any product with an inverse.
+  // Inverts T of all groups, before any product with an inverse. That of a single child is the
+  // identity, and is not stored.
   void invert() {
     inverses_.resize(groups_.size());
 #pragma omp parallel for schedule(dynamic)
     for (std::size_t a = 0; a < groups_.size(); ++a) {
+      if (groups_[a].last_child - groups_[a].first_child == 1) continue;
       inverses_[a] = matrix(static_cast<Index>(a)).partialPivLu().inverse();
     }
   }
-  MatrixXf take_inverse(Index a) {
-    return std::move(inverses_[static_cast<std::size_t>(a)]);
+
+  // T^{-1} of a group; a matrix without rows and columns if it is the identity.
+  const MatrixXf& inverse(Index a) const {
+    return inverses_[static_cast<std::size_t>(a)];
   }
 
   MatrixXf solved(Index a, const MatrixXf& columns) const {
-    return inverse(a) * columns;
-  }
-  MatrixXf times_inverse(Index a, const MatrixXf& rows) const {
-    return rows * inverse(a);
+    return inverse(a).size() == 0 ? columns : inverse(a) * columns;
   }
 
   MatrixXf outgoing(const Box& disk, Index a) const {
@@ -234,7 +240,8 @@ class GroupLevel {
     return incoming;
   }
 
-  // Adds the near part of B^T B: products of the blocks of near children.
+  // Adds the near part of B^T B to the lower triangle of a Gram matrix: products of the blocks from
+  // near children of a source to those of a target.
   void add_gram(Index target, Index source, MatrixXf& gram) const {
     for (std::size_t i = first_child(target); i < last_child(target); ++i) {
       for (std::size_t j = first_child(source); j < last_child(source); ++j) {
@@ -250,6 +257,7 @@ class GroupLevel {
     }
   }
 
+  // Multiplies the near part of the block from a source to a target by columns.
   MatrixXf near_coupled(Index target, Index source, const MatrixXf& columns) const {
     MatrixXf result = MatrixXf::Zero(size(target), columns.cols());
     for (std::size_t i = first_child(target); i < last_child(target); ++i) {
@@ -263,6 +271,7 @@ class GroupLevel {
     return result;
   }
 
+  // Multiplies all of the block by columns.
   MatrixXf coupled(Index target, Index source, const MatrixXf& columns) const {
     MatrixXf result = near_coupled(target, source, columns);
     for (std::size_t j = first_child(source); j < last_child(source); ++j) {
@@ -279,6 +288,13 @@ class GroupLevel {
     return result;
   }
 
+  // Frees the couplings of a group's children as targets.
+  void drop_couplings(Index target) {
+    for (std::size_t i = first_child(target); i < last_child(target); ++i) {
+      std::vector<MatrixXf>().swap(below_[i].couplings);
+    }
+  }
+
  private:
   std::size_t first_child(Index a) const {
     return static_cast<std::size_t>(groups_[static_cast<std::size_t>(a)].first_child);
@@ -289,12 +305,9 @@ class GroupLevel {
   Index place(Index a, std::size_t child) const {
     return first_[child] - first_[first_child(a)];
   }
-  const MatrixXf& inverse(Index a) const {
-    return inverses_[static_cast<std::size_t>(a)];
-  }
 
   const std::vector<Box>& groups_;
-  const std::vector<Reduced>& below_;
+  std::vector<Reduced>& below_;
   const FarField& far_field_;
   std::vector<Index> first_;  // first unknown of each child
   std::vector<MatrixXf> inverses_;
@@ -305,9 +318,8 @@ MatrixXf symmetric(const MatrixXf& lower) {
 }
 
 // Chooses the directions Q of all groups of a level. On return, `bases` are these directions, and
-// the result is what the level above needs of the groups.
-template <class Level>
-std::vector<Reduced> reduce(const Level& level, const std::vector<Box>& groups, double tolerance,
+// the result is what the level above needs of the groups. Frees the couplings of the children.
+std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double tolerance,
                             double reach, const FarField& far_field, std::vector<MatrixXf>& bases) {
   const auto near = near_groups(groups, reach);
   const VectorXf weights = far_weight * far_field.weights();
@@ -326,9 +338,13 @@ std::vector<Reduced> reduce(const Level& level, const std::vector<Box>& groups, 
     MatrixXf gram = MatrixXf::Zero(level.size(a), level.size(a));
     for (const Index b : near[own]) level.add_gram(b, a, gram);
     add_products(reduced[own].outgoing.transpose() * weights.asDiagonal(), gram);
-    const MatrixXf right = level.times_inverse(a, symmetric(gram));
-    const MatrixXf both = level.times_inverse(a, right.transpose());
-    bases[own] = basis_above(tolerance, 0.5F * (both + both.transpose()));
+    gram = symmetric(gram);
+    const MatrixXf& inverse = level.inverse(a);
+    if (inverse.size() > 0) {
+      const MatrixXf right = gram * inverse;
+      gram.noalias() = inverse.transpose() * right;
+    }
+    bases[own] = basis_above(tolerance, gram);
     solved[own] = level.solved(a, bases[own]);
   }
   // Then the directions, orthogonal to V, in which a group feels others.
@@ -367,6 +383,7 @@ std::vector<Reduced> reduce(const Level& level, const std::vector<Box>& groups, 
       const MatrixXf coupled = level.coupled(a, b, solved[static_cast<std::size_t>(b)]);
       reduced[own].couplings.push_back(bases[own].transpose() * coupled);
     }
+    level.drop_couplings(a);
   }
   return reduced;
 }
@@ -396,53 +413,62 @@ std::pair<std::vector<Box>, std::vector<std::size_t>> inner_disks(const StokesPr
 HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& problem,
                                                        std::vector<Member> alone,
                                                        const LayerBlock& layer,
-                                                       const HierarchySettings& settings)
-    : alone_(alone) {
+                                                       const HierarchySettings& settings) {
   for (const Index offset : node_offsets(problem)) offsets_.push_back(2 * offset);
+  for (std::size_t k = 0; k < alone.size(); ++k) {
+    if (!is_inner(problem.components[k])) walls_.emplace_back(k, alone[k]);
+  }
   const auto [disks, inner] = inner_disks(problem);
   if (disks.empty()) return;
   const ComponentTree tree(disks);
   for (const Index k : tree.order) order_.push_back(inner[static_cast<std::size_t>(k)]);
+  std::map<const MatrixXd*, std::shared_ptr<const CompactMatrix>> inverses;
+  for (const std::size_t k : order_) {
+    auto& inverse = inverses[alone[k].inverse.get()];
+    if (!inverse) inverse = std::make_shared<CompactMatrix>(alone[k].inverse->cast<float>());
+    singles_.push_back({inverse, alone[k].orientation});
+  }
   const CouplingBlocks blocks(problem, ClusterForm::mobility, layer);
   const FarField far_field(settings.order, held_gauge(problem));
   double tolerance = settings.tolerance;
 
-  const auto add_level = [&](std::vector<MatrixXf> bases, auto inverse_of) {
+  std::vector<Reduced> below =
+      single_components(problem, alone, blocks, order_, tree.levels[0], settings.reach, far_field);
+  alone.clear();  // its inverses take more memory than all else here
+  const auto is_last = [&](std::size_t l) {
+    return l > 0 && (l + 1 == tree.levels.size() || unknowns_of(below) <= settings.root);
+  };
+  for (std::size_t l = 0; l < tree.levels.size() && !is_last(l); ++l) {
+    Level level(tree.levels[l], below, far_field);
+    level.invert();
+    std::vector<MatrixXf> bases;
+    std::vector<Reduced> reduced =
+        reduce(level, tree.levels[l], tolerance, settings.reach, far_field, bases);
+    tolerance *= tolerance_fall;
     Index first = 0, direction = 0;
     levels_.emplace_back();
     for (std::size_t a = 0; a < bases.size(); ++a) {
       const Index size = bases[a].rows(), width = bases[a].cols();
-      levels_.back().push_back(
-          {first, direction, std::move(bases[a]), inverse_of(static_cast<Index>(a))});
+      levels_.back().push_back({first, direction, CompactMatrix(bases[a]),
+                                CompactMatrix(level.inverse(static_cast<Index>(a)))});
       first += size;
       direction += width;
     }
-  };
-  std::vector<MatrixXf> bases;
-  std::vector<Reduced> below = reduce(ComponentLevel(problem, alone, blocks, order_, far_field),
-                                      tree.levels[0], tolerance, settings.reach, far_field, bases);
-  add_level(std::move(bases), [](Index) { return MatrixXf(); });
-  for (std::size_t l = 1; l + 1 < tree.levels.size(); ++l) {
-    if (unknowns_of(below) <= settings.root) break;
-    tolerance *= tolerance_fall;
-    GroupLevel level(tree.levels[l], below, far_field);
-    level.invert();
-    std::vector<Reduced> reduced =
-        reduce(level, tree.levels[l], tolerance, settings.reach, far_field, bases);
-    add_level(std::move(bases), [&](Index a) { return level.take_inverse(a); });
     below = std::move(reduced);
   }
   Box root;
   root.last_child = std::ssize(below);
   const std::vector<Box> all{root};
-  root_.compute(GroupLevel(all, below, far_field).matrix(0));
+  root_.compute(Level(all, below, far_field).matrix(0));
 }
 
 Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v) const {
-  if (levels_.empty()) return alone_(v);
-  const auto own = [&](std::size_t k) {
-    return Eigen::seqN(offsets_[order_[k]], offsets_[order_[k] + 1] - offsets_[order_[k]]);
+  const auto own = [&](std::size_t component) {
+    return Eigen::seq(offsets_[component], offsets_[component + 1] - 1);
   };
+  Eigen::VectorXd result(v.size());
+  for (const auto& [wall, alone] : walls_) result(own(wall)) = solved_alone(alone, v(own(wall)));
+  if (levels_.empty()) return result;
   const auto unknowns = [](const Group& group) {
     return Eigen::seqN(group.first, group.basis.rows());
   };
@@ -454,7 +480,7 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
   const Group& last = levels_[0].back();
   data[0].resize(last.first + last.basis.rows());
   for (std::size_t k = 0; k < order_.size(); ++k) {
-    data[0](unknowns(levels_[0][k])) = v(own(k)).cast<float>();
+    data[0](unknowns(levels_[0][k])) = v(own(order_[k])).cast<float>();
   }
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     const std::vector<Group>& groups = levels_[l];
@@ -462,7 +488,7 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
 #pragma omp parallel for schedule(static)
     for (std::size_t a = 0; a < groups.size(); ++a) {
       data[l + 1](directions(groups[a])) =
-          groups[a].basis.transpose() * data[l](unknowns(groups[a]));
+          groups[a].basis.transposed_times(data[l](unknowns(groups[a])));
     }
   }
   // Downwards: T^{-1} (z + Q (y - Q^T z)) with the solution y of the level above (13.8).
@@ -475,25 +501,27 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
     for (std::size_t a = 0; a < groups.size(); ++a) {
       const Group& group = groups[a];
       auto part = solution(unknowns(group));
-      const VectorXf coupled = part + group.basis * difference(directions(group));
-      if (l > 0) {
-        part = group.inverse * coupled;
-      } else {
-        part = coupled;
-      }
+      part += group.basis.times(difference(directions(group)));
+      if (group.inverse.size() > 0) part = group.inverse.times(part);
     }
   }
-  Eigen::VectorXd result = v;
+#pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < order_.size(); ++k) {
-    result(own(k)) = solution(unknowns(levels_[0][k])).cast<double>();
+    const Single& single = singles_[k];
+    const auto part = solution(unknowns(levels_[0][k])).reshaped(2, Eigen::AutoSize);
+    const Eigen::Matrix2f turn = rotation(single.orientation);
+    const Eigen::Matrix2Xf local = turn.transpose() * part;
+    const VectorXf solved = single.inverse->times(local.reshaped());
+    const Eigen::Matrix2Xf in_plane = turn * solved.reshaped(2, Eigen::AutoSize);
+    result(own(order_[k])) = in_plane.reshaped().cast<double>();
   }
-  return alone_(result);
+  return result;
 }
 
-Index HierarchicalPreconditioner::numbers() const {
-  Index sum = root_.matrixLU().size();
+Index HierarchicalPreconditioner::bytes() const {
+  Index sum = 4 * root_.matrixLU().size();
   for (const std::vector<Group>& level : levels_) {
-    for (const Group& group : level) sum += group.basis.size() + group.inverse.size();
+    for (const Group& group : level) sum += 2 * (group.basis.size() + group.inverse.size());
   }
   return sum;
 }

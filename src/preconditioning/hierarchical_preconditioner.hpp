@@ -1,20 +1,23 @@
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
 
 #include "krylov/block_diagonal.hpp"
+#include "preconditioning/compact_matrix.hpp"
 
 namespace stokesbook {
 
 /// How much a HierarchicalPreconditioner leaves out. The defaults suit random packings with few
 /// contacts.
 struct HierarchySettings {
-  /// tau of single components; that of groups falls by 0.8 from level to level. Below 0.05 rounding
+  /// tau of single components; that of groups falls by 0.6 from level to level. Below 0.05 rounding
   /// in single precision shows.
-  double tolerance = 0.4;
+  double tolerance = 0.5;
   /// Couplings of groups at larger distances of their centres, over the sum of their radii, are
   /// expansions; > 1.
   double reach = 1.2;
@@ -43,7 +46,7 @@ class HierarchicalPreconditioner {
   ///                  held_gauge(), and its orientation
   /// @param  layer    double layer between any two components
   /// @par Cost  groups of m components have O(m^(1/2)) directions: O(n^(3/2)) operations, and
-  /// O(n log n) numbers in single precision
+  /// O(n log n) numbers, 2 bytes each
   HierarchicalPreconditioner(const StokesProblem& problem,
                              std::vector<BlockDiagonalPreconditioner::Member> alone,
                              const LayerBlock& layer, const HierarchySettings& settings = {});
@@ -51,24 +54,31 @@ class HierarchicalPreconditioner {
   /// Applies the approximate inverse, a linear map, to 2n interleaved numbers (x_0, y_0, ...). The
   /// result is the same for any number of threads.
   ///
-  /// @par Cost  two multiplications for each of the numbers()
+  /// @par Cost  reads all bytes() once
   Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
 
-  /// Returns how many numbers the groups and the last factorisation consist of, 4 bytes each.
-  Eigen::Index numbers() const;
+  /// Returns the memory of the groups and the last factorisation, bytes.
+  Eigen::Index bytes() const;
 
  private:
   // A group, or a component on the lowest level, with the directions that couple it to all others.
   struct Group {
     Eigen::Index first;            // its first unknown among those of its level
     Eigen::Index first_direction;  // its first direction among those of its level
-    Eigen::MatrixXf basis;         // Q
-    Eigen::MatrixXf inverse;       // T^{-1}; empty for components, which are solved alone
+    CompactMatrix basis;           // Q
+    CompactMatrix inverse;         // T^{-1}; no rows and columns where it is the identity
   };
 
-  BlockDiagonalPreconditioner alone_;
+  // The inverse of the own block of a component of the lowest level, in its frame.
+  struct Single {
+    std::shared_ptr<const CompactMatrix> inverse;
+    double orientation;
+  };
+
+  std::vector<std::pair<std::size_t, BlockDiagonalPreconditioner::Member>> walls_;
   std::vector<Eigen::Index> offsets_;       // first entry of each component, then 2n
   std::vector<std::size_t> order_;          // components of the lowest level
+  std::vector<Single> singles_;             // in this order
   std::vector<std::vector<Group>> levels_;  // components, then larger and larger groups
   Eigen::PartialPivLU<Eigen::MatrixXf> root_;
 };

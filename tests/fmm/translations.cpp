@@ -182,6 +182,14 @@ struct Local {
 
 }  // namespace
 
+BOOST_AUTO_TEST_CASE(multipole_to_local_as_a_matrix) {
+  const Local local;
+  const Eigen::VectorXd found = Translations(order).m2l_matrix(local.sources.box, local.box) *
+                                Eigen::MatrixXd(local.sources.multipole().matrix()).reshaped();
+  const Eigen::VectorXd expected = Eigen::MatrixXd(local.expansion.matrix()).reshaped();
+  BOOST_TEST((found - expected).norm() < 1e-14 * expected.norm());
+}
+
 BOOST_AUTO_TEST_CASE(local_to_local) {
   const Local local;
   for (const double shift : {0.0, 1e-9, 0.003, 0.03, 0.6}) {

@@ -47,9 +47,8 @@ MatrixXd system_matrix(const StokesProblem& problem) {
 }
 
 double error_of_inverse(const StokesProblem& problem) {
-  const LayerBlock layer = [&](std::size_t target, std::size_t source) {
-    return StressletSum({problem.components[source].curve})
-        .matrix(problem.components[target].curve.x);
+  const LayerBlock layer = [&](const ComplexVector& targets, std::size_t source) {
+    return StressletSum({problem.components[source].curve}).matrix(targets);
   };
   const MatrixXd matrix = system_matrix(problem);
   const VectorXd density = normal_matrix(matrix.cols(), 1, 3);

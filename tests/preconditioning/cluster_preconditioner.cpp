@@ -46,9 +46,8 @@ ClusterPreconditioner clusters(const StokesProblem& problem, ClusterForm form, d
         {std::make_shared<const MatrixXd>(invert_block(cluster_block(component, form, gauge))),
          0.0});
   }
-  const LayerBlock layer = [&](std::size_t target, std::size_t source) {
-    return StressletSum({problem.components[source].curve})
-        .matrix(problem.components[target].curve.x);
+  const LayerBlock layer = [&](const ComplexVector& targets, std::size_t source) {
+    return StressletSum({problem.components[source].curve}).matrix(targets);
   };
   return {problem, form, alone, neighbours, layer};
 }

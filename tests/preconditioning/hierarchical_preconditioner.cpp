@@ -43,9 +43,8 @@ HierarchicalPreconditioner hierarchy(const StokesProblem& problem,
                          cluster_block(component, ClusterForm::mobility, held_gauge(problem)))),
                      0.0});
   }
-  const LayerBlock layer = [&](std::size_t target, std::size_t source) {
-    return StressletSum({problem.components[source].curve})
-        .matrix(problem.components[target].curve.x);
+  const LayerBlock layer = [&](const ComplexVector& targets, std::size_t source) {
+    return StressletSum({problem.components[source].curve}).matrix(targets);
   };
   return {problem, alone, layer, settings};
 }
@@ -77,11 +76,12 @@ BOOST_AUTO_TEST_CASE(several_levels_give_nearly_the_inverse) {
   const VectorXd density = normal_matrix(system.matrix.cols(), 1, 3);
   const VectorXd solved = tight(system.matrix * density);
   BOOST_TEST((solved - density).norm() < 0.05 * density.norm());
-  BOOST_TEST(hierarchy(problem, {0.4, 1.2, 8, 10}).numbers() < tight.numbers());
+  BOOST_TEST(hierarchy(problem, {0.4, 1.2, 8, 10}).bytes() < tight.bytes());
 }
 
 BOOST_AUTO_TEST_CASE(a_single_body_is_solved_alone) {
-  BOOST_TEST(error_of_inverse(ellipses(1, 1, 24, ComponentKind::free_body), {}) < 1e-6);
+  // Numbers of 16 bits have errors of 1.5e-5.
+  BOOST_TEST(error_of_inverse(ellipses(1, 1, 24, ComponentKind::free_body), {}) < 2e-4);
 }
 
 BOOST_AUTO_TEST_CASE(the_preconditioner_is_linear_whatever_the_threads) {

@@ -134,7 +134,7 @@ std::vector<Case> by_rings() {
 // Packings of the literature at one area fraction, for various numbers of disks.
 std::vector<Case> loaded_by_disks() {
   std::vector<Case> cases;
-  for (const int count : {40, 70, 100, 200, 500, 1000}) {
+  for (const int count : {40, 70, 100, 200, 500, 700, 1000}) {
     cases.push_back({static_cast<double>(count), "loaded " + std::to_string(count),
                      [=] { return test::loaded_packing(count, 0.65); }, count > 100, 1e-7});
   }
@@ -275,9 +275,9 @@ Experiment loaded_packings() {
                                     .statement = "In a tree of groups, random packings of up to "
                                                  "1000 disks (100 in a quick study) at the area "
                                                  "fraction 0.65, with gaps of 0.001 and more, take "
-                                                 "35 iterations at most.",
-                                    .law = AtMost{35.0},
-                                    .reason = "the directions that are left out count by 0.4 and "
+                                                 "40 iterations at most.",
+                                    .law = AtMost{40.0},
+                                    .reason = "the directions that are left out count by 0.5 and "
                                               "less, and distant groups are coupled",
                                     .api = {"stokesbook::HierarchicalPreconditioner"}},
                      .control = Control{"free clusters",

@@ -86,14 +86,13 @@ MatrixXd layer_matrix(const Curve& source, const PlacedCurve* placed, const Comp
   return matrix;
 }
 
-// Returns the double layer between any two different components. The arguments must outlive the
+// Returns the double layer of any component at nodes of others. The arguments must outlive the
 // result.
 LayerBlock layer_blocks(const StokesProblem& problem, const std::vector<PlacedCurve>& placed,
                         double tolerance) {
-  return [&, tolerance](std::size_t target, std::size_t source) {
+  return [&, tolerance](const ComplexVector& targets, std::size_t source) {
     return layer_matrix(problem.components[source].curve,
-                        placed.empty() ? nullptr : &placed[source],
-                        problem.components[target].curve.x, tolerance);
+                        placed.empty() ? nullptr : &placed[source], targets, tolerance);
   };
 }
 
@@ -228,7 +227,7 @@ HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
                                      const Discretisation& discretisation) {
   const bool is_stiff = pairs_within(touching, inner_gaps(gaps, discretisation), discretisation) >=
                         discretisation.size();
-  return is_stiff ? HierarchySettings{.tolerance = 0.3, .reach = 1.5, .order = 10}
+  return is_stiff ? HierarchySettings{.tolerance = 0.55, .reach = 1.5, .order = 10}
                   : HierarchySettings{};
 }
 

@@ -56,8 +56,8 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              const std::vector<PlacedCurve>& placed,
                                              ClusterForm form = ClusterForm::resistance);
 
-/// Chooses how much a tree of groups leaves out: less where there are at least as many contacts as
-/// components, which make a stiff network.
+/// Chooses which couplings of groups are expansions, and how much is left out: other numbers where
+/// there are at least as many contacts as components, which make a stiff network.
 HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
                                      const Discretisation& discretisation);
 

@@ -1,0 +1,53 @@
+// Stores matrices of a preconditioner with 16 bits a number, and multiplies them by vectors
+// (chapter 13, section "A tree of groups").
+#include "preconditioning/compact_matrix.hpp"
+
+#include <cmath>
+
+#include "trapezoid/require.hpp"
+
+namespace stokesbook {
+
+using Eigen::Index;
+using Eigen::MatrixXf;
+using Eigen::VectorXf;
+
+CompactMatrix::CompactMatrix(const MatrixXf& matrix)
+    : numbers_(matrix.rows(), matrix.cols()), units_(matrix.cols()) {
+  require<std::domain_error>(matrix.allFinite(),
+                             "a group of components has a matrix that is singular to rounding");
+  if (matrix.rows() == 0) return;
+  for (Index j = 0; j < matrix.cols(); ++j) {
+    const float largest = matrix.col(j).cwiseAbs().maxCoeff();
+    units_[j] = largest / 32767.0F;
+    const float scale = largest > 0.0F ? 32767.0F / largest : 0.0F;
+    numbers_.col(j) = (scale * matrix.col(j)).array().round().cast<std::int16_t>();
+  }
+}
+
+VectorXf CompactMatrix::times(const Eigen::Ref<const VectorXf>& v) const {
+  VectorXf result = VectorXf::Zero(rows());
+  float* sum = result.data();
+  for (Index j = 0; j < cols(); ++j) {
+    const float factor = units_[j] * v[j];
+    const std::int16_t* column = numbers_.data() + j * rows();
+#pragma omp simd
+    for (Index i = 0; i < rows(); ++i) sum[i] += factor * static_cast<float>(column[i]);
+  }
+  return result;
+}
+
+VectorXf CompactMatrix::transposed_times(const Eigen::Ref<const VectorXf>& v) const {
+  VectorXf result(cols());
+  const float* factors = v.data();
+  for (Index j = 0; j < cols(); ++j) {
+    const std::int16_t* column = numbers_.data() + j * rows();
+    float sum = 0.0F;
+#pragma omp simd reduction(+ : sum)
+    for (Index i = 0; i < rows(); ++i) sum += factors[i] * static_cast<float>(column[i]);
+    result[j] = units_[j] * sum;
+  }
+  return result;
+}
+
+}  // namespace stokesbook
