@@ -155,15 +155,16 @@ BOOST_AUTO_TEST_CASE(dense_packings_take_few_iterations_in_a_tree,
   BOOST_TEST(iterations_by(network, PreconditionerKind::hierarchical) <= 40);
 }
 
-BOOST_AUTO_TEST_CASE(large_crowds_are_told_from_networks_and_few_bodies) {
-  const auto is_crowd = [](const Scene& scene) {
+BOOST_AUTO_TEST_CASE(crystals_are_told_from_crowds) {
+  const auto is_one = [](const Scene& scene) {
     const Discretised start(with_preconditioner(scene, PreconditionerKind::none));
-    return is_random_crowd(start.solver.gaps(start.configuration), start.discretisation);
+    return is_crystal(start.solver.gaps(start.configuration), start.discretisation);
   };
-  BOOST_TEST(is_crowd(disk_packing(200)));
-  BOOST_TEST(!is_crowd(disk_hexagon(2, 1e-2, 1e-3)));
-  BOOST_TEST(!is_crowd(disk_packing(40)));
-  BOOST_TEST(!is_crowd(disk_hexagon(7, 1e-2, 1e-1)));  // 169 disks
+  BOOST_TEST(!is_one(disk_packing(200)));
+  BOOST_TEST(!is_one(disk_hexagon(2, 1e-2, 1e-3)));  // 42 contacts of 19 disks
+  BOOST_TEST(is_one(disk_hexagon(2, 1e-3, 1e-3)));   // and they are tight
+  BOOST_TEST(is_one(disk_hexagon(5, 1e-2, 1e-1)));   // 240 contacts of 91 disks
+  BOOST_TEST(!is_one(disk_hexagon(5, 0.1, 1e-1)));   // wide gaps
 }
 
 BOOST_AUTO_TEST_CASE(neighbours_are_mutual_and_leave_enclosing_walls_out) {
@@ -190,10 +191,10 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
     return scene;
   };
   BOOST_TEST((chosen(disk_chain(1e-3)) == direct));
-  BOOST_TEST((chosen(disk_hexagon(1, 1e-2)) == direct));
+  BOOST_TEST((chosen(disk_hexagon(1, 1e-2)) == hierarchical));  // wider gaps
   BOOST_TEST((chosen(disk_hexagon(1, 1e-1)) == none));
-  BOOST_TEST((chosen(disk_hexagon(2, 1e-2)) == none));  // too many nodes, too wide gaps
-  BOOST_TEST((chosen(disk_hexagon(2, 1e-3)) == clusters));
+  BOOST_TEST((chosen(disk_hexagon(2, 1e-2)) == hierarchical));
+  BOOST_TEST((chosen(disk_hexagon(2, 1e-3)) == clusters));  // a crystal
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.05)) == none));
   BOOST_TEST((chosen(in_contact(disk_hexagon(3, 1e-1), 0.1)) == none));  // too many nodes

@@ -30,7 +30,7 @@ Plan make_plan(const Scene& scene) {
   const bool only_circles = counts.circles == counts.all();
   const bool local = solver.coupling == Coupling::local;
   const bool chosen_here = !local && solver.preconditioner == PreconditionerKind::automatic;
-  // Blocks between components, which clusters and factorisations have, lack the images of a cell.
+  // Blocks between components, which trees and factorisations have, lack the images of a cell.
   const bool has_blocks = chosen_here && !scene.cell;
   plan.preconditioner = local          ? PreconditionerKind::block_diagonal
                         : !chosen_here ? solver.preconditioner
@@ -41,8 +41,9 @@ Plan make_plan(const Scene& scene) {
   constexpr double least_tolerance_of_direct = 1e-8;
   plan.direct_at_tight_gaps =
       has_blocks && counts.all() > 1 && solver.tolerance >= least_tolerance_of_direct;
-  // GMRES with clusters may break down if held components are close to each other (chapter 13).
-  plan.clusters_at_tight_gaps = has_blocks && counts.free > 1 && counts.held + counts.inner == 0;
+  // In crystals, the tree is replaced by clusters, with which GMRES may break down if held
+  // components are close to each other (chapter 13).
+  plan.tree_at_tight_gaps = has_blocks && counts.free > 1 && counts.held + counts.inner == 0;
   // A hundredth of the tolerance leaves room for the condition number. Rounding limits all
   // tolerances from below.
   plan.gmres_tolerance = solver.gmres_tol.value_or(std::max(1e-14, 0.01 * solver.tolerance));

@@ -1,6 +1,6 @@
 // Chooses and builds the preconditioner that takes the least time for a configuration, by its
 // number of nodes and its narrow gaps (chapter 13, section "When it pays"): blocks of single
-// components, clusters of neighbours, a tree of groups, or a factorisation. The last three assemble
+// components, a tree of groups, clusters of neighbours, or a factorisation. The last three assemble
 // the double layer between components (02.6); at near nodes a scheme of close evaluation replaces
 // the trapezoid rule (06.17).
 #include "suspension/system/preconditioner.hpp"
@@ -23,8 +23,6 @@ using Eigen::MatrixXd;
 
 namespace {
 
-// Least number of components of a crowd.
-constexpr std::size_t least_crowd = 150;
 // Largest gap of contacts, over the smaller radius of gyration.
 constexpr double touching = 0.05;
 
@@ -130,12 +128,13 @@ std::vector<BlockDiagonalPreconditioner::Member> components_alone(
 
 }  // namespace
 
-bool direct_pays(const std::vector<Gap>& gaps, const Discretisation& discretisation,
-                 double separation) {
+bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
+                 const Discretisation& discretisation, double separation) {
   constexpr Index most_nodes = 1000, most_nodes_a_contact = 400;
   // Gaps, over the smaller radius of gyration, that slow GMRES down so much that a factorisation
   // pays; gaps, over the separation, of pairs that a step may press together.
-  constexpr double tight = 0.02, in_contact = 1.1;
+  const double tight = plan.tree_at_tight_gaps ? 0.003 : 0.02;
+  constexpr double in_contact = 1.1;
   Index nodes = 0;
   for (const auto& discretised : discretisation) nodes += discretised->curve.size();
   if (nodes > most_nodes) return false;
@@ -145,10 +144,12 @@ bool direct_pays(const std::vector<Gap>& gaps, const Discretisation& discretisat
          3 * pairs_within(tight, gaps, discretisation) >= discretisation.size();
 }
 
-bool clusters_pay(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
+bool tree_pays(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
   constexpr Index most_nodes = 256;
-  // Gaps, over the smaller radius of gyration, that slow GMRES down so much that clusters pay.
-  constexpr double tight = 0.003, tight_in_crowd = 0.005;
+  // Gaps, over the smaller radius of gyration, that slow GMRES down so much that a tree pays, if
+  // there is one for this number of components.
+  constexpr double tight = 0.005, narrow = 0.02;
+  constexpr std::size_t components_a_tight_gap = 60, components_a_narrow_gap = 15;
   if (std::ranges::any_of(discretisation, [](const auto& discretised) {
         return is_inner(discretised) && discretised->curve.size() > most_nodes;
       })) {
@@ -156,25 +157,25 @@ bool clusters_pay(const std::vector<Gap>& gaps, const Discretisation& discretisa
   }
   const std::vector<Gap> inner = inner_gaps(gaps, discretisation);
   const std::size_t count = discretisation.size();
-  return 3 * pairs_within(tight, inner, discretisation) >= count ||
-         (count >= least_crowd && pairs_within(tight_in_crowd, inner, discretisation) > 0);
+  return components_a_tight_gap * pairs_within(tight, inner, discretisation) >= count ||
+         components_a_narrow_gap * pairs_within(narrow, inner, discretisation) >= count;
 }
 
-bool is_random_crowd(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
-  const std::size_t count = discretisation.size();
-  const std::size_t contacts =
-      pairs_within(touching, inner_gaps(gaps, discretisation), discretisation);
-  return count >= least_crowd && 2 * contacts < 5 * count;
+bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
+  constexpr double tight = 0.005;  // gap, over the smaller radius of gyration
+  const std::vector<Gap> inner = inner_gaps(gaps, discretisation);
+  return 2 * pairs_within(touching, inner, discretisation) >= 5 * discretisation.size() ||
+         pairs_within(tight, inner, discretisation) >= 2 * discretisation.size();
 }
 
 PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
                                          const Discretisation& discretisation, double separation) {
-  if (plan.direct_at_tight_gaps && direct_pays(gaps, discretisation, separation)) {
+  if (plan.direct_at_tight_gaps && direct_pays(plan, gaps, discretisation, separation)) {
     return PreconditionerKind::direct;
   }
-  if (plan.clusters_at_tight_gaps && clusters_pay(gaps, discretisation)) {
-    return is_random_crowd(gaps, discretisation) ? PreconditionerKind::hierarchical
-                                                 : PreconditionerKind::clusters;
+  if (plan.tree_at_tight_gaps && tree_pays(gaps, discretisation)) {
+    return is_crystal(gaps, discretisation) ? PreconditionerKind::clusters
+                                            : PreconditionerKind::hierarchical;
   }
   return plan.preconditioner;
 }

@@ -17,23 +17,23 @@ namespace stokesbook {
 /// saves: in small systems with many narrow gaps, or with many pairs in contact, since a solve may
 /// be required for the force of each pair (chapter 13, section "When it pays").
 ///
+/// @param  plan        gaps must be narrower where a tree of groups is possible instead
 /// @param  gaps        from find_gaps(), here and below
 /// @param  separation  least gap that contact maintains, length; 0: no contact
-bool direct_pays(const std::vector<Gap>& gaps, const Discretisation& discretisation,
-                 double separation);
+bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
+                 const Discretisation& discretisation, double separation);
 
-/// Returns whether clusters save more time than their set-up takes: with many narrow gaps between
-/// inner components, or a single one in a crowd of 150 components, and few nodes on each component,
-/// since the time of the set-up grows as the cube of this number.
-bool clusters_pay(const std::vector<Gap>& gaps, const Discretisation& discretisation);
+/// Returns whether a tree of groups saves more time than its set-up takes: with several narrow gaps
+/// between inner components, or few very narrow ones, and few nodes on each component, since the
+/// time of the set-up grows as the cube of this number.
+bool tree_pays(const std::vector<Gap>& gaps, const Discretisation& discretisation);
 
-/// Returns whether components are a crowd, 150 of them or more, without the stiff network of
-/// contacts of a crystal: fewer than five contacts for two components, where a contact is a gap
-/// below a twentieth of the smaller radius of gyration.
-bool is_random_crowd(const std::vector<Gap>& gaps, const Discretisation& discretisation);
+/// Returns whether components have the stiff network of contacts of a crystal: five gaps below 0.05
+/// of the smaller radius of gyration for two components, or two gaps below 0.005 for each.
+bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisation);
 
-/// Chooses the preconditioner of a configuration: none, block_diagonal, clusters, hierarchical (in
-/// random crowds, where clusters would pay), or direct.
+/// Chooses the preconditioner of a configuration: none, block_diagonal, hierarchical, clusters (in
+/// crystals, where a tree would pay elsewhere), or direct.
 PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
                                          const Discretisation& discretisation, double separation);
 
