@@ -25,18 +25,16 @@ MatrixXcd cauchy_matrix(const Curve& curve) {
   const Complex derivative_weight = curve.sign() / (imaginary * static_cast<double>(n));
   const ComplexVector cauchy_weights = derivative_weight * curve.dx;
   MatrixXcd matrix = derivative_weight * differentiation_matrix(n);
-  ComplexVector row_sums = ComplexVector::Zero(n);
-  for (Index k = 0; k < n; ++k) {
-    for (Index j = 0; j < n; ++j) {
-      if (j == k) continue;
-      const Complex difference = curve.x[k] - curve.x[j];
-      const Complex entry = cauchy_weights[k] * std::conj(difference) / std::norm(difference);
+  for (Index j = 0; j < n; ++j) {
+    Complex row_sum{};
+    for (Index k = 0; k < n; ++k) {
+      if (k == j) continue;
+      const Complex entry = cauchy_weights[k] / (curve.x[k] - curve.x[j]);
       matrix(j, k) += entry;
-      row_sums[j] += entry;
+      row_sum += entry;
     }
+    matrix(j, j) += (curve.side == Side::fluid_inside ? 1.0 : 0.0) - row_sum;
   }
-  const double jump = curve.side == Side::fluid_inside ? 1.0 : 0.0;
-  matrix.diagonal().array() += jump - row_sums.array();
   return matrix;
 }
 // [cauchy_matrix]
