@@ -421,20 +421,21 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
   const auto [disks, inner] = inner_disks(problem);
   if (disks.empty()) return;
   const ComponentTree tree(disks);
-  for (const Index k : tree.order) order_.push_back(inner[static_cast<std::size_t>(k)]);
+  std::vector<std::size_t> order;
+  for (const Index k : tree.order) order.push_back(inner[static_cast<std::size_t>(k)]);
   std::map<const MatrixXd*, std::shared_ptr<const CompactMatrix>> inverses;
-  for (const std::size_t k : order_) {
+  for (const std::size_t k : order) {
     auto& inverse = inverses[alone[k].inverse.get()];
     if (!inverse) inverse = std::make_shared<CompactMatrix>(alone[k].inverse->cast<float>());
-    singles_.push_back({inverse, alone[k].orientation});
+    singles_.push_back({k, inverse, alone[k].orientation});
   }
   const CouplingBlocks blocks(problem, ClusterForm::mobility, layer);
   const FarField far_field(settings.order, held_gauge(problem));
   double tolerance = settings.tolerance;
 
   std::vector<Reduced> below =
-      single_components(problem, alone, blocks, order_, tree.levels[0], settings.reach, far_field);
-  alone.clear();  // its inverses take more memory than all else here
+      single_components(problem, alone, blocks, order, tree.levels[0], settings.reach, far_field);
+  alone.clear();  // only the rounded inverses are needed from here on
   const auto is_last = [&](std::size_t l) {
     return l > 0 && (l + 1 == tree.levels.size() || unknowns_of(below) <= settings.root);
   };
@@ -479,8 +480,8 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
   std::vector<VectorXf> data(levels_.size() + 1);
   const Group& last = levels_[0].back();
   data[0].resize(last.first + last.basis.rows());
-  for (std::size_t k = 0; k < order_.size(); ++k) {
-    data[0](unknowns(levels_[0][k])) = v(own(order_[k])).cast<float>();
+  for (std::size_t k = 0; k < singles_.size(); ++k) {
+    data[0](unknowns(levels_[0][k])) = v(own(singles_[k].component)).cast<float>();
   }
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     const std::vector<Group>& groups = levels_[l];
@@ -506,14 +507,14 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
     }
   }
 #pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < order_.size(); ++k) {
+  for (std::size_t k = 0; k < singles_.size(); ++k) {
     const Single& single = singles_[k];
     const auto part = solution(unknowns(levels_[0][k])).reshaped(2, Eigen::AutoSize);
     const Eigen::Matrix2f turn = rotation(single.orientation);
     const Eigen::Matrix2Xf local = turn.transpose() * part;
     const VectorXf solved = single.inverse->times(local.reshaped());
     const Eigen::Matrix2Xf in_plane = turn * solved.reshaped(2, Eigen::AutoSize);
-    result(own(order_[k])) = in_plane.reshaped().cast<double>();
+    result(own(single.component)) = in_plane.reshaped().cast<double>();
   }
   return result;
 }

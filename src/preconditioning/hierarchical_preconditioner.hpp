@@ -44,7 +44,8 @@ class HierarchicalPreconditioner {
   /// @param  problem  components in the order of the densities, n nodes in all
   /// @param  alone    inverse of the self_block() of each component, held ones with the gauge of
   ///                  held_gauge(), and its orientation
-  /// @param  layer    double layer between any two components
+  /// @param  layer    double layer of any component at nodes of others
+  /// @throws std::domain_error when the matrix of a group is singular to rounding
   /// @par Cost  groups of m components have O(m^(1/2)) directions: O(n^(3/2)) operations, and
   /// O(n log n) numbers, 2 bytes each
   HierarchicalPreconditioner(const StokesProblem& problem,
@@ -69,16 +70,16 @@ class HierarchicalPreconditioner {
     CompactMatrix inverse;         // T^{-1}; no rows and columns where it is the identity
   };
 
-  // The inverse of the own block of a component of the lowest level, in its frame.
+  // A component of the lowest level.
   struct Single {
-    std::shared_ptr<const CompactMatrix> inverse;
+    std::size_t component;
+    std::shared_ptr<const CompactMatrix> inverse;  // of its own block, in its frame
     double orientation;
   };
 
   std::vector<std::pair<std::size_t, BlockDiagonalPreconditioner::Member>> walls_;
   std::vector<Eigen::Index> offsets_;       // first entry of each component, then 2n
-  std::vector<std::size_t> order_;          // components of the lowest level
-  std::vector<Single> singles_;             // in this order
+  std::vector<Single> singles_;             // in the order of the tree
   std::vector<std::vector<Group>> levels_;  // components, then larger and larger groups
   Eigen::PartialPivLU<Eigen::MatrixXf> root_;
 };
