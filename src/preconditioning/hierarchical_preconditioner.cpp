@@ -12,6 +12,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 
+#include "double_layer/stresslet_sum.hpp"
+#include "preconditioning/boundary_pieces.hpp"
 #include "preconditioning/component_tree.hpp"
 #include "preconditioning/coupling_blocks.hpp"
 #include "preconditioning/far_field.hpp"
@@ -115,10 +117,10 @@ Eigen::Matrix2f rotation(double angle) {
   return Eigen::Rotation2Df(static_cast<float>(angle)).toRotationMatrix();
 }
 
-// Returns the inverse of a component's own block in the frame of the plane.
-MatrixXf inverse_in_plane(const Member& member) {
-  MatrixXf inverse = member.inverse->cast<float>();
-  const Eigen::Matrix2f turn = rotation(member.orientation);
+// Returns the inverse of a piece's own block in the frame of the plane.
+MatrixXf inverse_in_plane(const BoundaryPiece& piece) {
+  MatrixXf inverse = *piece.inverse;
+  const Eigen::Matrix2f turn = rotation(piece.orientation);
   for (Index j = 0; j < inverse.cols(); j += 2) {
     const Eigen::MatrixX2f pair = inverse.middleCols<2>(j) * turn.transpose();
     inverse.middleCols<2>(j).reshaped(2, inverse.rows()).noalias() =
@@ -127,49 +129,126 @@ MatrixXf inverse_in_plane(const Member& member) {
   return inverse;
 }
 
-// Describes single components as groups of which nothing has been left out: their directions are
-// all unknowns, and A_0^{-1} has been applied to what they send.
-std::vector<Reduced> single_components(const StokesProblem& problem,
-                                       const std::vector<Member>& alone,
-                                       const CouplingBlocks& blocks,
-                                       const std::vector<std::size_t>& order,
-                                       const std::vector<Box>& disks, double reach,
-                                       const FarField& far_field) {
-  const auto near = near_groups(disks, reach);
-  std::vector<Reduced> singles(order.size());
+// Returns the block with a near source, where the blocks are sought.
+MatrixXf& coupling_with(Index source, Reduced& target) {
+  const auto place = std::ranges::lower_bound(target.near, source);
+  return target.couplings[static_cast<std::size_t>(place - target.near.begin())];
+}
+
+// Assembles the blocks whose source is an inner component.
+void couple_bodies(const std::vector<BoundaryPiece>& pieces, const CouplingBlocks& blocks,
+                   const std::vector<MatrixXf>& inverses, std::vector<Reduced>& singles) {
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t a = 0; a < order.size(); ++a) {
-    singles[a].disk = disks[a];
-    singles[a].near = near[a];
-    singles[a].couplings.resize(near[a].size());
-    singles[a].incoming = far_field.at_points(disks[a], problem.components[order[a]].curve.x);
-  }
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t source = 0; source < order.size(); ++source) {
-    const std::size_t own = order[source];
-    const Component& body = problem.components[own];
-    const Box& disk = disks[source];
-    const MatrixXf inverse = inverse_in_plane(alone[own]);
-    const RigidModeMatrices& rigid = blocks.modes(own);
-    MatrixXf outgoing = far_field.of_densities(disk, body.curve);
-    MatrixXf of_motions = -outgoing * rigid.modes.cast<float>();
-    if (blocks.is_held(own)) of_motions += far_field.of_loads(disk, body.centre, rigid.radius);
-    outgoing += of_motions * rigid.projection.cast<float>();
-    singles[source].outgoing = outgoing * inverse;
+  for (std::size_t source = 0; source < pieces.size(); ++source) {
+    if (pieces[source].is_arc()) continue;
     std::vector<Curve> targets;
-    for (const Index target : near[source]) {
-      targets.push_back(problem.components[order[static_cast<std::size_t>(target)]].curve);
+    for (const Index target : singles[source].near) {
+      targets.push_back(pieces[static_cast<std::size_t>(target)].curve);
     }
-    const MatrixXf block = blocks(all_nodes(targets), own).cast<float>() * inverse;
+    const MatrixXf block =
+        blocks(all_nodes(targets), pieces[source].component).cast<float>() * inverses[source];
     Index row = 0;
-    for (const Index target : near[source]) {
+    for (const Index target : singles[source].near) {
       Reduced& felt = singles[static_cast<std::size_t>(target)];
-      const auto place = std::ranges::lower_bound(felt.near, static_cast<Index>(source));
-      MatrixXf& coupling = felt.couplings[static_cast<std::size_t>(place - felt.near.begin())];
-      coupling = block.middleRows(row, felt.width());
-      row += coupling.rows();
+      coupling_with(static_cast<Index>(source), felt) = block.middleRows(row, felt.width());
+      row += felt.width();
     }
   }
+}
+
+// Assembles the blocks whose source is an arc of an enclosing wall, and whose target is an inner
+// component.
+void couple_arcs_to_bodies(std::size_t wall, const std::vector<BoundaryPiece>& pieces,
+                           const LayerBlock& layer, const std::vector<MatrixXf>& inverses,
+                           std::vector<Reduced>& singles) {
+  const auto is_arc = [&](Index k) {
+    const BoundaryPiece& piece = pieces[static_cast<std::size_t>(k)];
+    return piece.is_arc() && piece.component == wall;
+  };
+  std::vector<std::size_t> targets;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (!pieces[k].is_arc() && std::ranges::any_of(singles[k].near, is_arc)) {
+      targets.push_back(k);
+    }
+  }
+  // The scheme of close evaluation assembles matrices of the whole wall in every call.
+  constexpr std::size_t targets_at_once = 24;
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t first = 0; first < targets.size(); first += targets_at_once) {
+    const std::size_t last = std::min(first + targets_at_once, targets.size());
+    std::vector<Curve> curves;
+    for (std::size_t k = first; k < last; ++k) curves.push_back(pieces[targets[k]].curve);
+    const MatrixXf of_wall = layer(all_nodes(curves), wall).cast<float>();
+    Index row = 0;
+    for (std::size_t k = first; k < last; ++k) {
+      Reduced& felt = singles[targets[k]];
+      for (const Index source : felt.near) {
+        if (!is_arc(source)) continue;
+        const auto arc = static_cast<std::size_t>(source);
+        coupling_with(source, felt) =
+            of_wall.block(row, 2 * pieces[arc].first, felt.width(), inverses[arc].rows()) *
+            inverses[arc];
+      }
+      row += felt.width();
+    }
+  }
+}
+
+// Assembles the blocks between near arcs of an enclosing wall.
+void couple_arcs(const std::vector<BoundaryPiece>& pieces, const std::vector<MatrixXf>& inverses,
+                 std::vector<Reduced>& singles) {
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t target = 0; target < pieces.size(); ++target) {
+    const BoundaryPiece& felt = pieces[target];
+    if (!felt.is_arc()) continue;
+    for (const Index near : singles[target].near) {
+      const auto source = static_cast<std::size_t>(near);
+      const BoundaryPiece& arc = pieces[source];
+      if (!arc.is_arc()) continue;
+      MatrixXf block = StressletSum({arc.curve}).matrix(felt.curve.x).cast<float>();
+      block += felt.flow_of_flux * arc.flux_of_density.transpose();
+      coupling_with(near, singles[target]) = block * inverses[source];
+    }
+  }
+}
+
+// Describes single pieces as groups of which nothing has been left out: their directions are all
+// unknowns, and A_0^{-1} has been applied to what they send.
+std::vector<Reduced> single_pieces(const StokesProblem& problem,
+                                   const std::vector<BoundaryPiece>& pieces,
+                                   const LayerBlock& layer, const std::vector<Box>& disks,
+                                   double reach, const FarField& far_field) {
+  const CouplingBlocks blocks(problem, ClusterForm::mobility, layer);
+  const auto near = near_groups(disks, reach);
+  std::vector<Reduced> singles(pieces.size());
+  std::vector<MatrixXf> inverses(pieces.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t a = 0; a < pieces.size(); ++a) {
+    const BoundaryPiece& piece = pieces[a];
+    inverses[a] = inverse_in_plane(piece);
+    MatrixXf incoming = far_field.at_points(disks[a], piece.curve.x);
+    MatrixXf outgoing = far_field.of_densities(disks[a], piece.curve);
+    if (piece.is_arc()) {
+      incoming.rightCols<1>() = piece.flow_of_flux;
+      outgoing.bottomRows<1>() = piece.flux_of_density.transpose();
+    } else {
+      const RigidModeMatrices& rigid = blocks.modes(piece.component);
+      MatrixXf of_motions = -outgoing * rigid.modes.cast<float>();
+      if (blocks.is_held(piece.component)) {
+        of_motions += far_field.of_loads(disks[a], piece.disk.centre, rigid.radius);
+      }
+      outgoing += of_motions * rigid.projection.cast<float>();
+    }
+    singles[a] = {disks[a], outgoing * inverses[a], incoming, near[a],
+                  std::vector<MatrixXf>(near[a].size())};
+  }
+  couple_bodies(pieces, blocks, inverses, singles);
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
+    if (!is_inner(problem.components[k])) {
+      couple_arcs_to_bodies(k, pieces, layer, inverses, singles);
+    }
+  }
+  couple_arcs(pieces, inverses, singles);
   return singles;
 }
 
@@ -394,18 +473,12 @@ Index unknowns_of(const std::vector<Reduced>& groups) {
   return sum;
 }
 
-// Returns disks about the inner components, and their numbers.
-std::pair<std::vector<Box>, std::vector<std::size_t>> inner_disks(const StokesProblem& problem) {
-  std::pair<std::vector<Box>, std::vector<std::size_t>> disks;
-  for (std::size_t k = 0; k < problem.components.size(); ++k) {
-    const Component& component = problem.components[k];
-    if (!is_inner(component)) continue;
-    disks.first.push_back(
-        {.centre = component.centre,
-         .radius = (component.curve.x.array() - component.centre).abs().maxCoeff()});
-    disks.second.push_back(k);
-  }
-  return disks;
+// Sorts the pieces into the order of a tree.
+std::vector<BoundaryPiece> in_order(std::vector<BoundaryPiece> pieces,
+                                    const std::vector<Index>& order) {
+  std::vector<BoundaryPiece> ordered;
+  for (const Index k : order) ordered.push_back(std::move(pieces[static_cast<std::size_t>(k)]));
+  return ordered;
 }
 
 }  // namespace
@@ -414,28 +487,29 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
                                                        std::vector<Member> alone,
                                                        const LayerBlock& layer,
                                                        const HierarchySettings& settings) {
-  for (const Index offset : node_offsets(problem)) offsets_.push_back(2 * offset);
-  for (std::size_t k = 0; k < alone.size(); ++k) {
-    if (!is_inner(problem.components[k])) walls_.emplace_back(k, alone[k]);
-  }
-  const auto [disks, inner] = inner_disks(problem);
-  if (disks.empty()) return;
+  std::vector<BoundaryPiece> pieces = boundary_pieces(problem, alone);
+  alone.clear();  // only the rounded inverses are needed from here on
+  if (pieces.empty()) return;
+  const auto arcs = std::ranges::count_if(pieces, &BoundaryPiece::is_arc);
+  std::vector<Box> disks;
+  for (const BoundaryPiece& piece : pieces) disks.push_back(piece.disk);
   const ComponentTree tree(disks);
-  std::vector<std::size_t> order;
-  for (const Index k : tree.order) order.push_back(inner[static_cast<std::size_t>(k)]);
-  std::map<const MatrixXd*, std::shared_ptr<const CompactMatrix>> inverses;
-  for (const std::size_t k : order) {
-    auto& inverse = inverses[alone[k].inverse.get()];
-    if (!inverse) inverse = std::make_shared<CompactMatrix>(alone[k].inverse->cast<float>());
-    singles_.push_back({k, inverse, alone[k].orientation});
+  pieces = in_order(std::move(pieces), tree.order);
+  const std::vector<Index> offsets = node_offsets(problem);
+  std::map<const MatrixXf*, std::shared_ptr<const CompactMatrix>> compact;
+  for (const BoundaryPiece& piece : pieces) {
+    auto& inverse = compact[piece.inverse.get()];
+    if (!inverse) inverse = std::make_shared<CompactMatrix>(*piece.inverse);
+    singles_.push_back({2 * (offsets[piece.component] + piece.first), inverse, piece.orientation});
   }
-  const CouplingBlocks blocks(problem, ClusterForm::mobility, layer);
-  const FarField far_field(settings.order, held_gauge(problem));
+  // All arcs together have one flux; the weight keeps the share of each.
+  const FarField far_field(settings.order, held_gauge(problem),
+                           std::sqrt(static_cast<double>(arcs)));
   double tolerance = settings.tolerance;
 
   std::vector<Reduced> below =
-      single_components(problem, alone, blocks, order, tree.levels[0], settings.reach, far_field);
-  alone.clear();  // only the rounded inverses are needed from here on
+      single_pieces(problem, pieces, layer, tree.levels[0], settings.reach, far_field);
+  std::vector<BoundaryPiece>().swap(pieces);
   const auto is_last = [&](std::size_t l) {
     return l > 0 && (l + 1 == tree.levels.size() || unknowns_of(below) <= settings.root);
   };
@@ -464,11 +538,10 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
 }
 
 Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v) const {
-  const auto own = [&](std::size_t component) {
-    return Eigen::seq(offsets_[component], offsets_[component + 1] - 1);
+  const auto own = [](const Single& single) {
+    return Eigen::seqN(single.first, single.inverse->rows());
   };
   Eigen::VectorXd result(v.size());
-  for (const auto& [wall, alone] : walls_) result(own(wall)) = solved_alone(alone, v(own(wall)));
   if (levels_.empty()) return result;
   const auto unknowns = [](const Group& group) {
     return Eigen::seqN(group.first, group.basis.rows());
@@ -481,7 +554,7 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
   const Group& last = levels_[0].back();
   data[0].resize(last.first + last.basis.rows());
   for (std::size_t k = 0; k < singles_.size(); ++k) {
-    data[0](unknowns(levels_[0][k])) = v(own(singles_[k].component)).cast<float>();
+    data[0](unknowns(levels_[0][k])) = v(own(singles_[k])).cast<float>();
   }
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     const std::vector<Group>& groups = levels_[l];
@@ -514,7 +587,7 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
     const Eigen::Matrix2Xf local = turn.transpose() * part;
     const VectorXf solved = single.inverse->times(local.reshaped());
     const Eigen::Matrix2Xf in_plane = turn * solved.reshaped(2, Eigen::AutoSize);
-    result(own(single.component)) = in_plane.reshaped().cast<double>();
+    result(own(single)) = in_plane.reshaped().cast<double>();
   }
   return result;
 }

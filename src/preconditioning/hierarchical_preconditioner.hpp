@@ -35,15 +35,17 @@ struct HierarchySettings {
 /// \f$ I+B' \f$ in its turn, with the few directions in which groups are coupled (13.8). The last
 /// system is factorised. Nothing is left out because it is far away: distant groups are coupled by
 /// multipole expansions.
-/// @par Accuracy  iterations for random packings of disks, @ref claim_13_11
+/// @par Accuracy  iterations for random packings of disks, @ref claim_13_11, and in
+/// containers, @ref claim_13_13
 /// @par Not for   crystals, whose contacts form a stiff network: clusters take fewer iterations
 class HierarchicalPreconditioner {
  public:
-  /// Eliminates all components. Enclosing walls are solved alone.
+  /// Eliminates all components. An enclosing wall is cut into arcs, which are eliminated like
+  /// bodies, see boundary_pieces().
   ///
   /// @param  problem  components in the order of the densities, n nodes in all
-  /// @param  alone    inverse of the self_block() of each component, held ones with the gauge of
-  ///                  held_gauge(), and its orientation
+  /// @param  alone    inverse of the self_block() of each inner component, held ones with the gauge
+  ///                  of held_gauge(), and its orientation; those of walls are not read
   /// @param  layer    double layer of any component at nodes of others
   /// @throws std::domain_error when the matrix of a group is singular to rounding
   /// @par Cost  groups of m components have O(m^(1/2)) directions: O(n^(3/2)) operations, and
@@ -70,15 +72,13 @@ class HierarchicalPreconditioner {
     CompactMatrix inverse;         // T^{-1}; no rows and columns where it is the identity
   };
 
-  // A component of the lowest level.
+  // A component, or an arc of an enclosing wall, of the lowest level.
   struct Single {
-    std::size_t component;
+    Eigen::Index first;                            // its first unknown in the problem
     std::shared_ptr<const CompactMatrix> inverse;  // of its own block, in its frame
     double orientation;
   };
 
-  std::vector<std::pair<std::size_t, BlockDiagonalPreconditioner::Member>> walls_;
-  std::vector<Eigen::Index> offsets_;       // first entry of each component, then 2n
   std::vector<Single> singles_;             // in the order of the tree
   std::vector<std::vector<Group>> levels_;  // components, then larger and larger groups
   Eigen::PartialPivLU<Eigen::MatrixXf> root_;

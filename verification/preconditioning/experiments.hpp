@@ -20,6 +20,7 @@ study::Experiment packings();
 study::Experiment packing_seconds();
 study::Experiment loaded_packings();
 study::Experiment packing_fractions();
+study::Experiment containers();
 study::Experiment crystals();
 study::Experiment recycling();
 /// @}

@@ -13,7 +13,7 @@ study::Study preconditioning_study() {
           .experiments = {pair_spectrum(), clusters(), gaps(), target_iterations(),
                           target_seconds(), ideas(), screening(), pores(), contact_iterations(),
                           contact_seconds(), packings(), loaded_packings(), packing_fractions(),
-                          packing_seconds(), crystals(), recycling()}};
+                          containers(), packing_seconds(), crystals(), recycling()}};
 }
 
 }  // namespace stokesbook

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "support/boxed_packing.hpp"
+#include "suspension/nodes/random_fill.hpp"
 
 namespace stokesbook::test {
 
@@ -93,6 +94,16 @@ Scene loaded_packing(int count, double fraction, unsigned seed) {
   }
   for (Body& body : scene.bodies) body.force -= sum / static_cast<double>(count);
   return scene;
+}
+
+Scene disks_in_container(int count) {
+  SceneFile file;
+  file.scene.seed = 3;
+  file.scene.solver.tolerance = 1e-5;
+  file.scene.walls = {{.role = WallRole::outer, .shape = Circle{std::sqrt(count / 0.55)}}};
+  file.fills = {
+      {.body = {.shape = Circle{1.0}, .force = -imaginary}, .count = count, .clearance = 0.005}};
+  return place_fills(file);
 }
 
 Scene ellipses_in_vortices(double tolerance) {

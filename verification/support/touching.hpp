@@ -25,6 +25,10 @@ Scene disk_packing(int count);
 /// tolerance 1e-5.
 Scene loaded_packing(int count, double fraction, unsigned seed = 1);
 
+/// Returns a scene of disks of radius 1 that settle in a round container, at the area fraction 0.55
+/// and with gaps of at least 0.005. The solver has the tolerance 1e-5.
+Scene disks_in_container(int count);
+
 /// Returns the start of the published Taylor-Green run of 48 ellipses. The solver has the given
 /// tolerance.
 Scene ellipses_in_vortices(double tolerance = 1e-4);

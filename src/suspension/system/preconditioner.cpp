@@ -95,13 +95,17 @@ LayerBlock layer_blocks(const StokesProblem& problem, const std::vector<PlacedCu
 }
 
 // Inverts the cluster_block() of each distinct shape, and returns the inverse of every component.
+// If walls are cut into arcs, the inverses of whole walls are not needed, and are empty.
 std::vector<BlockDiagonalPreconditioner::Member> components_alone(
     const Configuration& configuration, const Discretisation& discretisation, ClusterForm form,
-    double gauge) {
+    double gauge, bool has_arcs) {
   Inverses inverses;
   std::vector<const DiscretisedShape*> distinct;
   for (const auto& discretised : discretisation) {
-    if (inverses.try_emplace(discretised.get()).second) distinct.push_back(discretised.get());
+    if (has_arcs && !is_inner(discretised)) {
+      inverses[discretised.get()] = nullptr;
+    } else if (inverses.try_emplace(discretised.get()).second)
+      distinct.push_back(discretised.get());
   }
   // An exception must not leave a parallel loop. If several shapes fail, the exception of the first
   // one is thrown.
@@ -219,7 +223,8 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              const Discretisation& discretisation,
                                              const std::vector<PlacedCurve>& placed,
                                              ClusterForm form) {
-  return {problem, form, components_alone(configuration, discretisation, form, held_gauge(problem)),
+  return {problem, form,
+          components_alone(configuration, discretisation, form, held_gauge(problem), false),
           cluster_neighbours(configuration, discretisation),
           layer_blocks(problem, placed, layer_tolerance)};
 }
@@ -237,10 +242,10 @@ HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& prob
                                                        const Discretisation& discretisation,
                                                        const std::vector<PlacedCurve>& placed,
                                                        const HierarchySettings& settings) {
-  return {
-      problem,
-      components_alone(configuration, discretisation, ClusterForm::mobility, held_gauge(problem)),
-      layer_blocks(problem, placed, layer_tolerance), settings};
+  return {problem,
+          components_alone(configuration, discretisation, ClusterForm::mobility,
+                           held_gauge(problem), true),
+          layer_blocks(problem, placed, layer_tolerance), settings};
 }
 
 LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const Scene& scene,
