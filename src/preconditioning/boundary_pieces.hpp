@@ -20,9 +20,10 @@ struct BoundaryPiece {
   Box disk;                   ///< centre and radius of a disk about it
   std::shared_ptr<const Eigen::MatrixXf> inverse;  ///< of its own block, in its own frame
   double orientation = 0.0;                        ///< of this frame, radians
-  /// Two vectors for an arc, empty for inner components: the product of the first one of an arc and
-  /// the second one of another arc is the block of N_0 (04.6) between the two.
-  Eigen::VectorXf flow_of_flux, flux_of_density;
+  /// The block of N_0 (04.6) from one arc to another is the flow of the latter times the transposed
+  /// flux of the former. Inner components have neither.
+  Eigen::VectorXf flow_of_flux;
+  Eigen::VectorXf flux_of_density;  ///< see flow_of_flux
 
   bool is_arc() const { return flow_of_flux.size() > 0; }  ///< returns whether it is part of a wall
 };
