@@ -7,6 +7,9 @@
 #include <cmath>
 #include <map>
 #include <utility>
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -129,15 +132,23 @@ MatrixXf inverse_in_plane(const BoundaryPiece& piece) {
   return inverse;
 }
 
+// Returns freed memory to the system. The library of C keeps much of it, since blocks of many sizes
+// come and go.
+void return_freed_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 // Returns the block with a near source, where the blocks are sought.
 MatrixXf& coupling_with(Index source, Reduced& target) {
   const auto place = std::ranges::lower_bound(target.near, source);
   return target.couplings[static_cast<std::size_t>(place - target.near.begin())];
 }
 
-// Assembles the blocks whose source is an inner component.
+// Assembles the blocks whose source is an inner component, and frees the component's inverse.
 void couple_bodies(const std::vector<BoundaryPiece>& pieces, const CouplingBlocks& blocks,
-                   const std::vector<MatrixXf>& inverses, std::vector<Reduced>& singles) {
+                   std::vector<MatrixXf>& inverses, std::vector<Reduced>& singles) {
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t source = 0; source < pieces.size(); ++source) {
     if (pieces[source].is_arc()) continue;
@@ -147,6 +158,7 @@ void couple_bodies(const std::vector<BoundaryPiece>& pieces, const CouplingBlock
     }
     const MatrixXf block =
         blocks(all_nodes(targets), pieces[source].component).cast<float>() * inverses[source];
+    inverses[source].resize(0, 0);
     Index row = 0;
     for (const Index target : singles[source].near) {
       Reduced& felt = singles[static_cast<std::size_t>(target)];
@@ -214,8 +226,7 @@ void couple_arcs(const std::vector<BoundaryPiece>& pieces, const std::vector<Mat
 
 // Describes single pieces as groups of which nothing has been left out: their directions are all
 // unknowns, and A_0^{-1} has been applied to what they send.
-std::vector<Reduced> single_pieces(const StokesProblem& problem,
-                                   const std::vector<BoundaryPiece>& pieces,
+std::vector<Reduced> single_pieces(const StokesProblem& problem, std::vector<BoundaryPiece> pieces,
                                    const LayerBlock& layer, const std::vector<Box>& disks,
                                    double reach, const FarField& far_field) {
   const CouplingBlocks blocks(problem, ClusterForm::mobility, layer);
@@ -226,6 +237,7 @@ std::vector<Reduced> single_pieces(const StokesProblem& problem,
   for (std::size_t a = 0; a < pieces.size(); ++a) {
     const BoundaryPiece& piece = pieces[a];
     inverses[a] = inverse_in_plane(piece);
+    pieces[a].inverse.reset();
     MatrixXf incoming = far_field.at_points(disks[a], piece.curve.x);
     MatrixXf outgoing = far_field.of_densities(disks[a], piece.curve);
     if (piece.is_arc()) {
@@ -367,6 +379,14 @@ class Level {
     return result;
   }
 
+  // Returns the rounded T^{-1} of a group and frees T^{-1}.
+  CompactMatrix take_inverse(Index a) {
+    MatrixXf& inverse = inverses_[static_cast<std::size_t>(a)];
+    const CompactMatrix rounded(inverse);
+    inverse.resize(0, 0);
+    return rounded;
+  }
+
   // Frees the couplings of a group's children as targets.
   void drop_couplings(Index target) {
     for (std::size_t i = first_child(target); i < last_child(target); ++i) {
@@ -396,10 +416,12 @@ MatrixXf symmetric(const MatrixXf& lower) {
   return lower.selfadjointView<Eigen::Lower>();
 }
 
-// Chooses the directions Q of all groups of a level. On return, `bases` are these directions, and
-// the result is what the level above needs of the groups. Frees the couplings of the children.
+// Chooses the directions Q of all groups of a level. On return, `bases` are these directions,
+// `inverses` are T^{-1}, and the result is what the level above needs of the groups. Frees the
+// matrices of the level as soon as they have been used.
 std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double tolerance,
-                            double reach, const FarField& far_field, std::vector<MatrixXf>& bases) {
+                            double reach, const FarField& far_field, std::vector<MatrixXf>& bases,
+                            std::vector<CompactMatrix>& inverses) {
   const auto near = near_groups(groups, reach);
   const VectorXf weights = far_weight * far_field.weights();
   const Index count = std::ssize(groups);
@@ -426,6 +448,7 @@ std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double
     bases[own] = basis_above(tolerance, gram);
     solved[own] = level.solved(a, bases[own]);
   }
+  return_freed_memory();
   // Then the directions, orthogonal to V, in which a group feels others.
   std::vector<MatrixXf> felt(groups.size());
 #pragma omp parallel for schedule(dynamic)
@@ -455,6 +478,8 @@ std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double
     reduced[own].outgoing *= solved[own];
     reduced[own].incoming = (bases[own].transpose() * reduced[own].incoming).eval();
   }
+  for (Index a = 0; a < count; ++a) inverses.push_back(level.take_inverse(a));
+  return_freed_memory();
 #pragma omp parallel for schedule(dynamic)
   for (Index a = 0; a < count; ++a) {
     const auto own = static_cast<std::size_t>(a);
@@ -508,8 +533,8 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
   double tolerance = settings.tolerance;
 
   std::vector<Reduced> below =
-      single_pieces(problem, pieces, layer, tree.levels[0], settings.reach, far_field);
-  std::vector<BoundaryPiece>().swap(pieces);
+      single_pieces(problem, std::move(pieces), layer, tree.levels[0], settings.reach, far_field);
+  return_freed_memory();
   const auto is_last = [&](std::size_t l) {
     return l > 0 && (l + 1 == tree.levels.size() || unknowns_of(below) <= settings.root);
   };
@@ -517,24 +542,28 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
     Level level(tree.levels[l], below, far_field);
     level.invert();
     std::vector<MatrixXf> bases;
-    std::vector<Reduced> reduced =
-        reduce(level, tree.levels[l], tolerance, settings.reach, far_field, bases);
+    std::vector<CompactMatrix> compact_inverses;
+    std::vector<Reduced> reduced = reduce(level, tree.levels[l], tolerance, settings.reach,
+                                          far_field, bases, compact_inverses);
     tolerance *= tolerance_fall;
     Index first = 0, direction = 0;
     levels_.emplace_back();
     for (std::size_t a = 0; a < bases.size(); ++a) {
       const Index size = bases[a].rows(), width = bases[a].cols();
-      levels_.back().push_back({first, direction, CompactMatrix(bases[a]),
-                                CompactMatrix(level.inverse(static_cast<Index>(a)))});
+      levels_.back().push_back(
+          {first, direction, CompactMatrix(bases[a]), std::move(compact_inverses[a])});
       first += size;
       direction += width;
     }
     below = std::move(reduced);
+    return_freed_memory();
   }
   Box root;
   root.last_child = std::ssize(below);
   const std::vector<Box> all{root};
   root_.compute(Level(all, below, far_field).matrix(0));
+  below.clear();
+  return_freed_memory();
 }
 
 Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v) const {

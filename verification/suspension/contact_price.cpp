@@ -53,7 +53,7 @@ std::vector<Scene> scenes_of(Priced priced, Size size) {
       return {over(six_disks(), full ? 20.0 : 2.0, 0.1, SteppingMethod::heun)};
     case Priced::crowds: {
       std::vector<Scene> scenes;
-      for (unsigned seed = full ? 0 : 2; seed < (full ? 200U : 20U); seed += full ? 1 : 9) {
+      for (unsigned seed = 2; seed < (full ? 200U : 20U); seed += 9) {
         const auto drive = static_cast<Drive>(seed / crowds % drives);
         scenes.push_back(
             crowded_scene({drive, static_cast<Crowd>(seed % crowds)}, seed, full ? 200 : 10));
