@@ -36,6 +36,8 @@ using Member = BlockDiagonalPreconditioner::Member;
 // The tolerance of groups falls by this factor from level to level: the larger a group is, the
 // softer are the motions in which its errors show.
 constexpr double tolerance_fall = 0.6;
+// Where it ends: below, rounding in single precision costs more iterations than it saves.
+constexpr double least_tolerance = 0.06;
 // Weight of expansions beside near blocks when directions are chosen, where all far groups count
 // together.
 constexpr float far_weight = 3.0F;
@@ -545,7 +547,7 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
     std::vector<CompactMatrix> compact_inverses;
     std::vector<Reduced> reduced = reduce(level, tree.levels[l], tolerance, settings.reach,
                                           far_field, bases, compact_inverses);
-    tolerance *= tolerance_fall;
+    tolerance = std::max(tolerance_fall * tolerance, std::min(tolerance, least_tolerance));
     Index first = 0, direction = 0;
     levels_.emplace_back();
     for (std::size_t a = 0; a < bases.size(); ++a) {

@@ -15,8 +15,8 @@ namespace stokesbook {
 /// How much a HierarchicalPreconditioner leaves out. The defaults suit random packings with few
 /// contacts.
 struct HierarchySettings {
-  /// tau of single components; that of groups falls by 0.6 from level to level. Below 0.05 rounding
-  /// in single precision shows.
+  /// tau of single components; that of groups falls by 0.6 from level to level, down to 0.06. Below
+  /// 0.05 rounding in single precision shows.
   double tolerance = 0.5;
   /// Couplings of groups at larger distances of their centres, over the sum of their radii, are
   /// expansions; > 1.
