@@ -139,7 +139,7 @@ void check_experiment() {
     const Pair pair = two_circles(gap);
     const double predicted = rounds_needed(gap, tolerance);
     int rounds = 1;
-    while (rounds < 500 && pair.residual(pair.after(rounds)) > tolerance) ++rounds;
+    while (rounds < 150 && pair.residual(pair.after(rounds)) > tolerance) ++rounds;
     const GmresResult best = gmres([&](const VectorXd& v) { return pair.apply(v); }, pair.blocks,
                                    pair.system.rhs, {tolerance, 500});
     table << gap << ',' << rounds << ',' << predicted << ',' << best.iterations << '\n';
