@@ -134,11 +134,11 @@ MatrixXf inverse_in_plane(const BoundaryPiece& piece) {
   return inverse;
 }
 
-// Returns freed memory to the system. The library of C keeps much of it, since blocks of many sizes
-// come and go.
-void return_freed_memory() {
+// Returns freed memory of a large tree to the system. The library of C keeps much of it, since
+// blocks of many sizes come and go. Small trees are built in every time step, and use it again.
+void return_freed_memory([[maybe_unused]] bool is_large) {
 #ifdef __GLIBC__
-  malloc_trim(0);
+  if (is_large) malloc_trim(0);
 #endif
 }
 
@@ -423,7 +423,7 @@ MatrixXf symmetric(const MatrixXf& lower) {
 // matrices of the level as soon as they have been used.
 std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double tolerance,
                             double reach, const FarField& far_field, std::vector<MatrixXf>& bases,
-                            std::vector<CompactMatrix>& inverses) {
+                            std::vector<CompactMatrix>& inverses, bool is_large) {
   const auto near = near_groups(groups, reach);
   const VectorXf weights = far_weight * far_field.weights();
   const Index count = std::ssize(groups);
@@ -450,7 +450,7 @@ std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double
     bases[own] = basis_above(tolerance, gram);
     solved[own] = level.solved(a, bases[own]);
   }
-  return_freed_memory();
+  return_freed_memory(is_large);
   // Then the directions, orthogonal to V, in which a group feels others.
   std::vector<MatrixXf> felt(groups.size());
 #pragma omp parallel for schedule(dynamic)
@@ -481,7 +481,7 @@ std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double
     reduced[own].incoming = (bases[own].transpose() * reduced[own].incoming).eval();
   }
   for (Index a = 0; a < count; ++a) inverses.push_back(level.take_inverse(a));
-  return_freed_memory();
+  return_freed_memory(is_large);
 #pragma omp parallel for schedule(dynamic)
   for (Index a = 0; a < count; ++a) {
     const auto own = static_cast<std::size_t>(a);
@@ -523,6 +523,7 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
   const ComponentTree tree(disks);
   pieces = in_order(std::move(pieces), tree.order);
   const std::vector<Index> offsets = node_offsets(problem);
+  const bool is_large = offsets.back() > 100'000;
   std::map<const MatrixXf*, std::shared_ptr<const CompactMatrix>> compact;
   for (const BoundaryPiece& piece : pieces) {
     auto& inverse = compact[piece.inverse.get()];
@@ -536,7 +537,7 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
 
   std::vector<Reduced> below =
       single_pieces(problem, std::move(pieces), layer, tree.levels[0], settings.reach, far_field);
-  return_freed_memory();
+  return_freed_memory(is_large);
   const auto is_last = [&](std::size_t l) {
     return l > 0 && (l + 1 == tree.levels.size() || unknowns_of(below) <= settings.root);
   };
@@ -546,7 +547,7 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
     std::vector<MatrixXf> bases;
     std::vector<CompactMatrix> compact_inverses;
     std::vector<Reduced> reduced = reduce(level, tree.levels[l], tolerance, settings.reach,
-                                          far_field, bases, compact_inverses);
+                                          far_field, bases, compact_inverses, is_large);
     tolerance = std::max(tolerance_fall * tolerance, std::min(tolerance, least_tolerance));
     Index first = 0, direction = 0;
     levels_.emplace_back();
@@ -558,14 +559,14 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
       direction += width;
     }
     below = std::move(reduced);
-    return_freed_memory();
+    return_freed_memory(is_large);
   }
   Box root;
   root.last_child = std::ssize(below);
   const std::vector<Box> all{root};
   root_.compute(Level(all, below, far_field).matrix(0));
   below.clear();
-  return_freed_memory();
+  return_freed_memory(is_large);
 }
 
 Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v) const {
