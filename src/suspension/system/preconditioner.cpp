@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <exception>
 #include <map>
+#include <utility>
 
 #include "double_layer/stresslet_sum.hpp"
 #include "krylov/direct.hpp"
@@ -94,18 +95,17 @@ LayerBlock layer_blocks(const StokesProblem& problem, const std::vector<PlacedCu
   };
 }
 
-// Inverts the cluster_block() of each distinct shape, and returns the inverse of every component.
-// If walls are cut into arcs, the inverses of whole walls are not needed, and are empty.
+// Inverts the cluster_block() of each distinct inner shape, and returns the inverse of every inner
+// component. Enclosing walls have none.
 std::vector<BlockDiagonalPreconditioner::Member> components_alone(
     const Configuration& configuration, const Discretisation& discretisation, ClusterForm form,
-    double gauge, bool has_arcs) {
+    double gauge) {
   Inverses inverses;
   std::vector<const DiscretisedShape*> distinct;
   for (const auto& discretised : discretisation) {
-    if (has_arcs && !is_inner(discretised)) {
-      inverses[discretised.get()] = nullptr;
-    } else if (inverses.try_emplace(discretised.get()).second)
+    if (inverses.try_emplace(discretised.get()).second && is_inner(discretised)) {
       distinct.push_back(discretised.get());
+    }
   }
   // An exception must not leave a parallel loop. If several shapes fail, the exception of the first
   // one is thrown.
@@ -223,9 +223,11 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              const Discretisation& discretisation,
                                              const std::vector<PlacedCurve>& placed,
                                              ClusterForm form) {
-  return {problem, form,
-          components_alone(configuration, discretisation, form, held_gauge(problem), false),
-          cluster_neighbours(configuration, discretisation),
+  auto alone = components_alone(configuration, discretisation, form, held_gauge(problem));
+  for (std::size_t k = 0; k < alone.size(); ++k) {
+    if (!is_inner(discretisation[k])) alone[k].inverse = discretisation[k]->inverse_block.get();
+  }
+  return {problem, form, std::move(alone), cluster_neighbours(configuration, discretisation),
           layer_blocks(problem, placed, layer_tolerance)};
 }
 
@@ -242,10 +244,10 @@ HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& prob
                                                        const Discretisation& discretisation,
                                                        const std::vector<PlacedCurve>& placed,
                                                        const HierarchySettings& settings) {
-  return {problem,
-          components_alone(configuration, discretisation, ClusterForm::mobility,
-                           held_gauge(problem), true),
-          layer_blocks(problem, placed, layer_tolerance), settings};
+  return {
+      problem,
+      components_alone(configuration, discretisation, ClusterForm::mobility, held_gauge(problem)),
+      layer_blocks(problem, placed, layer_tolerance), settings};
 }
 
 LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const Scene& scene,
