@@ -43,12 +43,12 @@ Eigen::MatrixXi counts(const Quadtree& targets, const Quadtree& sources,
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_pair_once) {
-  for (const test::PointSet& set : test::point_sets(800)) {
+  for (const test::PointSet& set : test::point_sets(400)) {
     BOOST_TEST_CONTEXT(set.name) {
       for (const Index leaf_size : {1, 10, 50}) {
         for (const Index direct_pairs : {0, 100}) {
-          const Quadtree tree(set.points, Eigen::VectorXd::Constant(800, 1e-3), leaf_size);
-          const Quadtree others(2.0 * test::random_vector(300, 3), {}, 2 * leaf_size);
+          const Quadtree tree(set.points, Eigen::VectorXd::Constant(400, 1e-3), leaf_size);
+          const Quadtree others(2.0 * test::random_vector(200, 3), {}, 2 * leaf_size);
           for (const Quadtree* targets : {&tree, &others}) {
             for (const Quadtree* sources : {&tree, &others}) {
               for (const Complex shift : {Complex{}, Complex{1.0, -0.3}}) {

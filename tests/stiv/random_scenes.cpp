@@ -2,6 +2,7 @@
 // through many instants of the step: the search misses no contact, reports no false contact, and
 // finds the first contact first.
 #include <cmath>
+#include <vector>
 
 #include <boost/test/unit_test.hpp>
 
@@ -15,22 +16,34 @@ namespace {
 constexpr double separation = 0.05, tolerance = 1e-4 * separation;
 
 // Returns the least unsigned distance of one polygon's vertices from all edges of the other
-// polygon.
+// polygon. Plain numbers, because tests are not optimised where sanitizers watch.
 double least_distance(const Step& step, std::size_t a, std::size_t b, double tau) {
+  struct Edge {
+    double x, y, dx, dy, squared_length;
+  };
+  const ComplexVector& corners = step.shapes[b]->polygon.vertices();
+  std::vector<Edge> edges;
+  Complex before = corners[corners.size() - 1];
+  for (const Complex corner : corners) {
+    const Complex edge = corner - before;
+    edges.push_back({before.real(), before.imag(), edge.real(), edge.imag(), std::norm(edge)});
+    before = corner;
+  }
   const RelativeFrame frame = RelativePath(step.paths[a], step.paths[b]).at(tau);
-  const Polygon &of = step.shapes[a]->polygon, &about = step.shapes[b]->polygon;
-  const ComplexVector& corners = about.vertices();
-  const Eigen::Index m = corners.size();
-  ComplexVector edges(m);
-  edges << corners.tail(m - 1) - corners.head(m - 1), corners[0] - corners[m - 1];
   double least = INFINITY;
-  for (Complex x : of.vertices()) {
-    const auto away = frame(x) - corners.array();
-    const Eigen::ArrayXd fraction =
-        ((edges.conjugate().array() * away).real() / edges.array().abs2())
-            .cwiseMax(0.0)
-            .cwiseMin(1.0);
-    least = std::min(least, (away - fraction * edges.array()).abs2().minCoeff());
+  for (const Complex vertex : step.shapes[a]->polygon.vertices()) {
+    const Complex moved = frame(vertex);
+    const double x = moved.real(), y = moved.imag();
+    for (const Edge& edge : edges) {
+      const double along = (x - edge.x) * edge.dx + (y - edge.y) * edge.dy;
+      double fraction = along / edge.squared_length;
+      if (fraction < 0.0) fraction = 0.0;
+      if (fraction > 1.0) fraction = 1.0;
+      const double across_x = x - edge.x - fraction * edge.dx;
+      const double across_y = y - edge.y - fraction * edge.dy;
+      const double squared = across_x * across_x + across_y * across_y;
+      if (squared < least) least = squared;
+    }
   }
   return std::sqrt(least);
 }
@@ -138,8 +151,8 @@ void compare_containers(unsigned seeds) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(nothing_is_missed_in_crowds_and_containers) {
-  compare_crowds(3);
-  compare_containers(2);
+  compare_crowds(2);
+  compare_containers(1);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_missed_in_many_crowds_and_containers,

@@ -19,7 +19,7 @@ namespace stokesbook::test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Returns a fill of a cell that is sheared by more than half a period, about a centre.
 SceneFile filled(const Shape& shape, double area_fraction, double clearance, double size,

@@ -32,13 +32,13 @@ Component disk(ComponentKind kind, double radius, Complex centre, Eigen::Index n
   return component;
 }
 
-struct Solved {
+struct SolvedCell {
   Completion completion;
   ComplexVector density;
   ComplexVector without_rigid_part;
 };
 
-Solved solve_cell(const StokesProblem& problem) {
+SolvedCell solve_cell(const StokesProblem& problem) {
   const LinearSystem discrete{problem,
                               SuspensionOperator(problem, cauchy_curves(problem), accurate_plan())};
   const GmresResult result = solve(discrete, discrete.system.right_hand_side(), {1e-13, 500});
@@ -57,7 +57,7 @@ StokesProblem pair_at_the_edge() {
   return problem;
 }
 
-void check(Complex found, Complex exact, double tolerance) {
+void check_close(Complex found, Complex exact, double tolerance) {
   BOOST_TEST(std::abs(found - exact) < tolerance * (1.0 + std::abs(exact)));
 }
 
@@ -71,13 +71,13 @@ BOOST_AUTO_TEST_CASE(own_images) {
   problem.components = {disk(ComponentKind::prescribed, std::sqrt(0.7 / pi), {0.3, -0.1}, 96)};
   problem.cell = {1.0, imaginary};
   problem.background = ComplexVector::Ones(96);
-  check(-solve_cell(problem).completion.loads[0].force, drag, 1e-10);
+  check_close(-solve_cell(problem).completion.loads[0].force, drag, 1e-10);
   // The mean gradient of the pressure is given instead, as the force over the area.
   problem.background = {};
   problem.cell->pressure_gradient = -1.0;
   const Completion driven = solve_cell(problem).completion;
-  check(driven.loads[0].force, -1.0, 1e-13);
-  check(driven.uniform_velocity * drag, 1.0, 1e-10);
+  check_close(driven.loads[0].force, -1.0, 1e-13);
+  check_close(driven.uniform_velocity * drag, 1.0, 1e-10);
 }
 
 BOOST_AUTO_TEST_CASE(a_gap_through_the_edge) {
@@ -86,18 +86,18 @@ BOOST_AUTO_TEST_CASE(a_gap_through_the_edge) {
   problem.components[0].torque = 0.2;
   problem.components[1].force = {-1.0, 0.5};
   problem.background = all_nodes(curves_of(problem)).imag();
-  const Solved solved = solve_cell(problem);
+  const SolvedCell solved = solve_cell(problem);
   const std::vector<RigidMotion>& motions = solved.completion.motions;
-  check(motions[0].velocity, {0.0024876214562, -0.0349631349210}, 1e-11);
-  check(motions[0].omega, -0.0743037501003, 1e-11);
-  check(motions[1].omega, -0.2846656412087, 1e-11);
+  check_close(motions[0].velocity, {0.0024876214562, -0.0349631349210}, 1e-11);
+  check_close(motions[0].omega, -0.0743037501003, 1e-11);
+  check_close(motions[1].omega, -0.2846656412087, 1e-11);
   const auto stresslet = [&](std::size_t k) {
     return body_stresslet(
         problem.components[k].curve,
         solved.without_rigid_part.segment(128 * static_cast<Eigen::Index>(k), 128), 1.0);
   };
-  check(stresslet(0), {0.07628104994902, 0.23241859306169}, 1e-11);
-  check(stresslet(1), {0.07895149991216, 0.13794754936363}, 1e-11);
+  check_close(stresslet(0), {0.07628104994902, 0.23241859306169}, 1e-11);
+  check_close(stresslet(1), {0.07895149991216, 0.13794754936363}, 1e-11);
 }
 
 // The velocity of body 2 by a torque on body 1 is the rotation of body 1 by a force on body 2, also
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(reciprocity_through_the_edge) {
     by_force += direction * solve_cell(problem).completion.motions[0].omega;
   }
   BOOST_TEST(std::abs(by_torque) > 0.01);
-  check(by_torque, by_force, 1e-12);
+  check_close(by_torque, by_force, 1e-12);
 }
 
 // The flow of a solution is the motion of a body on its curve, also in the gap through the edge;
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(flow_between_images) {
   problem.components[0].torque = 0.2;
   problem.components[1].force = {-0.4, 0.8};
   problem.background = all_nodes(curves_of(problem)).imag();
-  const Solved solved = solve_cell(problem);
+  const SolvedCell solved = solve_cell(problem);
   const SolvedFlow flow(problem, cauchy_curves(problem), solved.density,
                         {1e-14, planned_sum(accurate_plan())});
   ComplexVector z(40);
@@ -137,8 +137,8 @@ BOOST_AUTO_TEST_CASE(flow_between_images) {
   for (Eigen::Index i = 0; i < 40; ++i) {
     const std::size_t k = i < 20 ? 0 : 1;
     const RigidMotion& motion = flow.completion().motions[k];
-    check(velocity[i] + z[i].imag(),
-          motion.velocity + motion.omega * perp(z[i] - problem.components[k].centre), 1e-9);
+    check_close(velocity[i] + z[i].imag(),
+                motion.velocity + motion.omega * perp(z[i] - problem.components[k].centre), 1e-9);
   }
   for (const Complex w : {Complex{1.0}, Complex{0.3, 1.0}}) {
     const ComplexVector moved = z.array() + w;
@@ -146,10 +146,11 @@ BOOST_AUTO_TEST_CASE(flow_between_images) {
     const std::vector<FlowDerivatives> slopes_there = flow.derivatives(moved);
     const double rise = dot(Complex{0.6, 0.3}, w);
     for (std::size_t i = 0; i < 40; ++i) {
-      check(there[static_cast<Eigen::Index>(i)], velocity[static_cast<Eigen::Index>(i)], 1e-11);
-      check(slopes_there[i].pressure, slopes[i].pressure + rise, 1e-9);
-      check(slopes_there[i].vorticity, slopes[i].vorticity, 1e-9);
-      check(slopes_there[i].strain, slopes[i].strain, 1e-9);
+      check_close(there[static_cast<Eigen::Index>(i)], velocity[static_cast<Eigen::Index>(i)],
+                  1e-11);
+      check_close(slopes_there[i].pressure, slopes[i].pressure + rise, 1e-9);
+      check_close(slopes_there[i].vorticity, slopes[i].vorticity, 1e-9);
+      check_close(slopes_there[i].strain, slopes[i].strain, 1e-9);
     }
   }
   // Derivatives agree with differences of velocities, in the fluid beside the gap.
@@ -160,8 +161,8 @@ BOOST_AUTO_TEST_CASE(flow_between_images) {
   const Complex along_x = (around[1] - around[0]) / (2.0 * h),
                 along_y = (around[3] - around[2]) / (2.0 * h);
   const FlowDerivatives slope = flow.derivatives(ComplexVector{{point}})[0];
-  check(slope.strain, along_x + imaginary * along_y, 1e-5);
-  check(slope.vorticity, along_x.imag() - along_y.real(), 1e-5);
+  check_close(slope.strain, along_x + imaginary * along_y, 1e-5);
+  check_close(slope.vorticity, along_x.imag() - along_y.real(), 1e-5);
 }
 
 // The constant of the pressure does not depend on the targets, nor on the place of the sources.
@@ -182,7 +183,7 @@ BOOST_AUTO_TEST_CASE(pressure_of_forces) {
         exact += (loads[k].force * f).real() / (2.0 * pi) +
                  dot(loads[k].force, targets[i]) / lattice.area();
       }
-      check(flow[static_cast<std::size_t>(i)].pressure, exact, 1e-12);
+      check_close(flow[static_cast<std::size_t>(i)].pressure, exact, 1e-12);
     }
   }
 }

@@ -17,7 +17,7 @@ namespace stokesbook::test {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Fill fill_of(const Shape& shape, double area_fraction, double clearance) {
   Fill fill;

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void check_close(const MatrixXd& computed, const MatrixXd& exact, double tolerance) {
   BOOST_TEST((computed - exact).cwiseAbs().maxCoeff() < tolerance * exact.cwiseAbs().maxCoeff());

@@ -25,19 +25,13 @@ inline void add_near_correction(DenseSystem& system, const StokesProblem& proble
       rows.middleRows(2 * static_cast<Eigen::Index>(i), 2) -=
           trapezoid.block(2 * near[k].index[i], 2 * offsets[k], 2, 2 * n);
     }
-    Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(2 * n, 2 * n);
     if (problem.components[k].kind != ComponentKind::enclosing_wall) {
-      const RigidModes modes(curve, 0.0);
-      for (Eigen::Index j = 0; j < 2 * n; ++j) {
-        const ComplexVector column = deinterleaved(rest.col(j));
-        const ComplexVector rigid = modes.at_nodes(modes.project(column));
-        rest.col(j) -= interleaved(rigid);
-      }
+      const RigidModeMatrices rigid = rigid_mode_matrices(curve, 0.0);
+      rows -= (rows * rigid.modes).eval() * rigid.projection;
     }
-    const Eigen::MatrixXd correction = rows * rest;
     for (std::size_t i = 0; i < near[k].index.size(); ++i) {
       system.matrix.block(2 * near[k].index[i], 2 * offsets[k], 2, 2 * n) +=
-          correction.middleRows(2 * static_cast<Eigen::Index>(i), 2);
+          rows.middleRows(2 * static_cast<Eigen::Index>(i), 2);
     }
   }
 }
