@@ -84,7 +84,7 @@ std::vector<std::vector<Index>> near_groups(const std::vector<Box>& groups, doub
 // Returns an orthonormal basis of the eigenvectors of a Gram matrix with eigenvalues above tau^2.
 // A pivoted Cholesky factorisation L L^T finds the range of the matrix first, so that only L^T L is
 // diagonalised.
-MatrixXf basis_above(double tau, const MatrixXf& gram) {
+MatrixXf basis_above(double tau, MatrixXf gram) {
   const Index n = gram.rows();
   const auto bound = static_cast<float>(tau * tau);
   constexpr float remainder = 0.16F;  // largest diagonal entry that is left, over tau^2
@@ -102,6 +102,7 @@ MatrixXf basis_above(double tau, const MatrixXf& gram) {
     diagonal -= column.cwiseAbs2();
     diagonal[pivot] = 0.0F;
   }
+  gram.resize(0, 0);  // frees the memory, which matters in the largest groups
   if (rank == 0) return {n, 0};
   const auto range = factor.leftCols(rank);
   const MatrixXf inner = range.transpose() * range;
@@ -436,18 +437,16 @@ std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double
     const auto own = static_cast<std::size_t>(a);
     reduced[own].disk = groups[own];
     reduced[own].near = near[own];
-    reduced[own].outgoing = level.outgoing(groups[own], a);
-    reduced[own].incoming = level.incoming(groups[own], a);
     MatrixXf gram = MatrixXf::Zero(level.size(a), level.size(a));
     for (const Index b : near[own]) level.add_gram(b, a, gram);
-    add_products(reduced[own].outgoing.transpose() * weights.asDiagonal(), gram);
+    add_products(level.outgoing(groups[own], a).transpose() * weights.asDiagonal(), gram);
     gram = symmetric(gram);
     const MatrixXf& inverse = level.inverse(a);
     if (inverse.size() > 0) {
       const MatrixXf right = gram * inverse;
       gram.noalias() = inverse.transpose() * right;
     }
-    bases[own] = basis_above(tolerance, gram);
+    bases[own] = basis_above(tolerance, std::move(gram));
     solved[own] = level.solved(a, bases[own]);
   }
   return_freed_memory(is_large);
@@ -460,12 +459,12 @@ std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double
     for (const Index b : near[own]) {
       add_products(level.near_coupled(a, b, solved[static_cast<std::size_t>(b)]), gram);
     }
-    add_products(reduced[own].incoming * weights.asDiagonal(), gram);
+    add_products(level.incoming(groups[own], a) * weights.asDiagonal(), gram);
     const MatrixXf& v = bases[own];
     MatrixXf rest = symmetric(gram);
     rest -= v * (v.transpose() * rest);
     rest -= (rest * v) * v.transpose();
-    felt[own] = basis_above(tolerance, rest);
+    felt[own] = basis_above(tolerance, std::move(rest));
   }
 #pragma omp parallel for schedule(dynamic)
   for (Index a = 0; a < count; ++a) {
@@ -477,8 +476,8 @@ std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double
     bases[own] = std::move(all);
     solved[own] = std::move(all_solved);
     felt[own].resize(0, 0);
-    reduced[own].outgoing *= solved[own];
-    reduced[own].incoming = (bases[own].transpose() * reduced[own].incoming).eval();
+    reduced[own].outgoing = level.outgoing(groups[own], a) * solved[own];
+    reduced[own].incoming = bases[own].transpose() * level.incoming(groups[own], a);
   }
   for (Index a = 0; a < count; ++a) inverses.push_back(level.take_inverse(a));
   return_freed_memory(is_large);

@@ -21,7 +21,7 @@ struct HierarchySettings {
   /// Couplings of groups at larger distances of their centres, over the sum of their radii, are
   /// expansions; > 1.
   double reach = 1.2;
-  int order = 8;             ///< of these expansions
+  int order = 12;            ///< of these expansions
   Eigen::Index root = 2500;  ///< a level with at most as many unknowns is factorised as a whole
 };
 

@@ -235,8 +235,7 @@ HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
                                      const Discretisation& discretisation) {
   const bool is_stiff = pairs_within(touching, inner_gaps(gaps, discretisation), discretisation) >=
                         discretisation.size();
-  return is_stiff ? HierarchySettings{.tolerance = 0.55, .reach = 1.5, .order = 10}
-                  : HierarchySettings{};
+  return is_stiff ? HierarchySettings{.tolerance = 0.55, .reach = 1.5} : HierarchySettings{};
 }
 
 HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& problem,
