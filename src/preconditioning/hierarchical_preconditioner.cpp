@@ -21,6 +21,7 @@
 #include "preconditioning/coupling_blocks.hpp"
 #include "preconditioning/far_field.hpp"
 #include "trapezoid/rectangle_index.hpp"
+#include "trapezoid/require.hpp"
 
 namespace stokesbook {
 
@@ -296,24 +297,18 @@ class Level {
     return matrix;
   }
 
-  // Inverts T of all groups, before any product with an inverse. That of a single child is the
-  // identity, and is not stored.
-  void invert() {
-    inverses_.resize(groups_.size());
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t a = 0; a < groups_.size(); ++a) {
-      if (groups_[a].last_child - groups_[a].first_child == 1) continue;
-      inverses_[a] = matrix(static_cast<Index>(a)).partialPivLu().inverse();
-    }
+  // Returns T^{-1} of a group; a matrix without rows and columns for a single child, where it is the
+  // identity.
+  MatrixXf inverse(Index a) const {
+    if (is_single(a)) return {};
+    return matrix(a).partialPivLu().inverse();
   }
 
-  // T^{-1} of a group; a matrix without rows and columns if it is the identity.
-  const MatrixXf& inverse(Index a) const {
-    return inverses_[static_cast<std::size_t>(a)];
-  }
-
+  // Multiplies T^{-1} of a group by columns. Another factorisation costs less than keeping the
+  // inverses of all groups, which would take as much memory as their couplings.
   MatrixXf solved(Index a, const MatrixXf& columns) const {
-    return inverse(a).size() == 0 ? columns : inverse(a) * columns;
+    if (is_single(a)) return columns;
+    return matrix(a).partialPivLu().solve(columns);
   }
 
   MatrixXf outgoing(const Box& disk, Index a) const {
@@ -382,14 +377,6 @@ class Level {
     return result;
   }
 
-  // Returns the rounded T^{-1} of a group and frees T^{-1}.
-  CompactMatrix take_inverse(Index a) {
-    MatrixXf& inverse = inverses_[static_cast<std::size_t>(a)];
-    const CompactMatrix rounded(inverse);
-    inverse.resize(0, 0);
-    return rounded;
-  }
-
   // Frees the couplings of a group's children as targets.
   void drop_couplings(Index target) {
     for (std::size_t i = first_child(target); i < last_child(target); ++i) {
@@ -398,21 +385,19 @@ class Level {
   }
 
  private:
+  bool is_single(Index a) const { return last_child(a) - first_child(a) == 1; }
   std::size_t first_child(Index a) const {
     return static_cast<std::size_t>(groups_[static_cast<std::size_t>(a)].first_child);
   }
   std::size_t last_child(Index a) const {
     return static_cast<std::size_t>(groups_[static_cast<std::size_t>(a)].last_child);
   }
-  Index place(Index a, std::size_t child) const {
-    return first_[child] - first_[first_child(a)];
-  }
+  Index place(Index a, std::size_t child) const { return first_[child] - first_[first_child(a)]; }
 
   const std::vector<Box>& groups_;
   std::vector<Reduced>& below_;
   const FarField& far_field_;
   std::vector<Index> first_;  // first unknown of each child
-  std::vector<MatrixXf> inverses_;
 };
 
 MatrixXf symmetric(const MatrixXf& lower) {
@@ -431,24 +416,31 @@ std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double
   std::vector<Reduced> reduced(groups.size());
   std::vector<MatrixXf> solved(groups.size());  // T^{-1} Q
   bases.resize(groups.size());
+  inverses.resize(groups.size());
+  bool is_regular = true;  // an exception must not leave a parallel loop
   // First the directions V that other groups feel: B T^{-1} V is all that matters of B T^{-1}.
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) reduction(&& : is_regular)
   for (Index a = 0; a < count; ++a) {
     const auto own = static_cast<std::size_t>(a);
     reduced[own].disk = groups[own];
     reduced[own].near = near[own];
+    const MatrixXf inverse = level.inverse(a);
+    is_regular = is_regular && inverse.allFinite();
+    if (!is_regular) continue;
     MatrixXf gram = MatrixXf::Zero(level.size(a), level.size(a));
     for (const Index b : near[own]) level.add_gram(b, a, gram);
     add_products(level.outgoing(groups[own], a).transpose() * weights.asDiagonal(), gram);
     gram = symmetric(gram);
-    const MatrixXf& inverse = level.inverse(a);
     if (inverse.size() > 0) {
       const MatrixXf right = gram * inverse;
       gram.noalias() = inverse.transpose() * right;
     }
     bases[own] = basis_above(tolerance, std::move(gram));
-    solved[own] = level.solved(a, bases[own]);
+    solved[own] = inverse.size() > 0 ? MatrixXf(inverse * bases[own]) : bases[own];
+    inverses[own] = CompactMatrix(inverse);
   }
+  require<std::domain_error>(is_regular,
+                             "a group of components has a matrix that is singular to rounding");
   return_freed_memory(is_large);
   // Then the directions, orthogonal to V, in which a group feels others.
   std::vector<MatrixXf> felt(groups.size());
@@ -479,7 +471,6 @@ std::vector<Reduced> reduce(Level& level, const std::vector<Box>& groups, double
     reduced[own].outgoing = level.outgoing(groups[own], a) * solved[own];
     reduced[own].incoming = bases[own].transpose() * level.incoming(groups[own], a);
   }
-  for (Index a = 0; a < count; ++a) inverses.push_back(level.take_inverse(a));
   return_freed_memory(is_large);
 #pragma omp parallel for schedule(dynamic)
   for (Index a = 0; a < count; ++a) {
@@ -542,7 +533,6 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
   };
   for (std::size_t l = 0; l < tree.levels.size() && !is_last(l); ++l) {
     Level level(tree.levels[l], below, far_field);
-    level.invert();
     std::vector<MatrixXf> bases;
     std::vector<CompactMatrix> compact_inverses;
     std::vector<Reduced> reduced = reduce(level, tree.levels[l], tolerance, settings.reach,
