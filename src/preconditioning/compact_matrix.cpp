@@ -15,7 +15,7 @@ using Eigen::VectorXf;
 CompactMatrix::CompactMatrix(const MatrixXf& matrix)
     : numbers_(matrix.rows(), matrix.cols()), units_(matrix.cols()) {
   require<std::domain_error>(matrix.allFinite(),
-                             "a group of components has a matrix that is singular to rounding");
+                             "a matrix to be rounded has a number that is not finite");
   if (matrix.rows() == 0) return;
   for (Index j = 0; j < matrix.cols(); ++j) {
     const float largest = matrix.col(j).cwiseAbs().maxCoeff();
