@@ -53,7 +53,8 @@ BOOST_AUTO_TEST_CASE(circles_that_cross_by_any_depth) {
   for (double depth : {0.5, 1e-1, 1e-2, 1e-4, 1e-6, 1e-8}) {
     for (int trial = 0; trial < 20; ++trial) {
       const SmoothCurve a = smooth_body(Circle{1.0}, 64, {}, angle());
-      const SmoothCurve b = smooth_body(Circle{0.7}, 48, std::polar(1.7 - depth, angle()), angle());
+      const Complex place = std::polar(1.7 - depth, angle());
+      const SmoothCurve b = smooth_body(Circle{0.7}, 48, place, angle());
       BOOST_TEST(gap(a, b) <= 0.0);
     }
   }
@@ -138,9 +139,10 @@ BOOST_AUTO_TEST_CASE(random_placements_of_lobed_and_slender_bodies) {
     const Shape star = Star{0.7, 0.3 * uniform(generator), 2 + trial % 5};
     const Shape slender = Ellipse{1.0, 0.1 + 0.2 * uniform(generator)};
     const SmoothCurve a = smooth_body(star, 128, {}, turn * uniform(generator));
-    const SmoothCurve b = smooth_body(
-        trial % 2 == 0 ? star : slender, 128,
-        std::polar(2.0 * uniform(generator), turn * uniform(generator)), turn * uniform(generator));
+    const Complex direction = std::polar(1.0, turn * uniform(generator));
+    const Complex place = 2.0 * uniform(generator) * direction;
+    const SmoothCurve b =
+        smooth_body(trial % 2 == 0 ? star : slender, 128, place, turn * uniform(generator));
     const bool overlap = nodes_overlap(a, b);
     BOOST_TEST((gap(a, b) <= 0.0) == overlap);
     overlaps += overlap ? 1 : 0;

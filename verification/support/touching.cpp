@@ -66,8 +66,9 @@ Scene disk_packing(int count) {
   const auto uniform = [&] { return std::ldexp(static_cast<double>(random()), -64); };
   for (int move = 0; move < moves_each * count; ++move) {
     Complex& position = positions[random() % positions.size()];
-    const Complex moved =
-        position + longest_move * Complex(2.0 * uniform() - 1.0, 2.0 * uniform() - 1.0);
+    const double up = longest_move * (2.0 * uniform() - 1.0);
+    const double right = longest_move * (2.0 * uniform() - 1.0);
+    const Complex moved = position + Complex(right, up);
     const bool meets = std::ranges::any_of(positions, [&](const Complex& other) {
       return &other != &position && std::norm(other - moved) < least_distance * least_distance;
     });
