@@ -3,10 +3,9 @@
 #include "krylov/direct.hpp"
 
 #include "closure/bordered_system.hpp"
-#include "double_layer/double_layer.hpp"
 #include "double_layer/stresslet_sum.hpp"
 #include "krylov/matrices.hpp"
-#include "null_space/null_space.hpp"
+#include "support/walls.hpp"
 
 namespace stokesbook::test {
 
@@ -37,20 +36,11 @@ StokesProblem in_container() {
   return problem;
 }
 
-// Adds N_0 (04.6), which the closure does not contain.
-MatrixXd system_matrix(const StokesProblem& problem) {
-  MatrixXd matrix = assemble(problem, ClosureForm::reduced).matrix;
-  if (!is_bounded(problem)) return matrix;
-  const Curve& wall = problem.components.back().curve;
-  matrix.bottomRightCorner(2 * wall.size(), 2 * wall.size()) += null_space_matrix(wall);
-  return matrix;
-}
-
 double error_of_inverse(const StokesProblem& problem) {
   const LayerBlock layer = [&](const ComplexVector& targets, std::size_t source) {
     return StressletSum({problem.components[source].curve}).matrix(targets);
   };
-  const MatrixXd matrix = system_matrix(problem);
+  const MatrixXd matrix = assemble_bounded(problem, ClosureForm::reduced).matrix;
   const VectorXd density = normal_matrix(matrix.cols(), 1, 3);
   const VectorXd solved = DirectPreconditioner(problem, layer)(matrix * density);
   return (solved - density).norm() / density.norm();

@@ -20,7 +20,6 @@
 #include "krylov/gmres.hpp"
 #include "lcp/lemke.hpp"
 #include "near_singular/cauchy.hpp"
-#include "null_space/null_space.hpp"
 #include "periodic/far_sums.hpp"
 #include "preconditioning/cluster_preconditioner.hpp"
 #include "stiv/contacts.hpp"
@@ -30,6 +29,7 @@
 #include "support/cells.hpp"
 #include "support/dense.hpp"
 #include "support/spectra.hpp"
+#include "support/walls.hpp"
 #include "suspension/solver/solver.hpp"
 #include "time_stepping/stepper.hpp"
 #include "trapezoid/fourier.hpp"
@@ -148,8 +148,7 @@ void chapter_04() {
   bushing.curve = place(sample(Circle{2.0}, n, Side::fluid_inside), bushing.centre, 0.0);
   bushing.velocity = ComplexVector::Zero(n);
   const StokesProblem problem{{shaft, bushing}, 1.0, {}, {}};
-  DenseSystem system = assemble(problem, ClosureForm::reduced);
-  system.matrix.bottomRightCorner(2 * n, 2 * n) += null_space_matrix(bushing.curve);
+  const DenseSystem system = test::assemble_bounded(problem, ClosureForm::reduced);
   const VectorXd solution = test::solve(system.matrix, system.rhs);
   const Load load = complete_dense(problem, ClosureForm::reduced, solution).loads[0];
   print("load_of_shaft", VectorXd{{load.force.real(), load.force.imag(), load.torque}});
