@@ -9,9 +9,6 @@
 
 namespace stokesbook::test {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 namespace {
 
 Component component(ComponentKind kind, const Shape& shape, Complex centre) {
@@ -40,10 +37,8 @@ double error_of_inverse(const StokesProblem& problem) {
   const LayerBlock layer = [&](const ComplexVector& targets, std::size_t source) {
     return StressletSum({problem.components[source].curve}).matrix(targets);
   };
-  const MatrixXd matrix = assemble_bounded(problem, ClosureForm::reduced).matrix;
-  const VectorXd density = normal_matrix(matrix.cols(), 1, 3);
-  const VectorXd solved = DirectPreconditioner(problem, layer)(matrix * density);
-  return (solved - density).norm() / density.norm();
+  return inversion_error(DirectPreconditioner(problem, layer),
+                         assemble_bounded(problem, ClosureForm::reduced).matrix);
 }
 
 }  // namespace

@@ -30,4 +30,10 @@ inline LinearMap map_of(const Eigen::MatrixXd& matrix) {
   return [matrix](const Eigen::VectorXd& v) -> Eigen::VectorXd { return matrix * v; };
 }
 
+/// Returns the relative error that an approximate inverse leaves in a random vector.
+inline double inversion_error(const LinearMap& inverse, const Eigen::MatrixXd& matrix) {
+  const Eigen::VectorXd exact = normal_matrix(matrix.cols(), 1, 3);
+  return (inverse(matrix * exact) - exact).norm() / exact.norm();
+}
+
 }  // namespace stokesbook::test

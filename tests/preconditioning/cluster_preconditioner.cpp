@@ -53,10 +53,8 @@ ClusterPreconditioner clusters(const StokesProblem& problem, ClusterForm form, d
 }
 
 double error_of_inverse(const StokesProblem& problem, ClusterForm form, double gap) {
-  const DenseSystem system = assemble(problem, ClosureForm::reduced);
-  const VectorXd density = normal_matrix(system.matrix.cols(), 1, 3);
-  const VectorXd solved = clusters(problem, form, gap)(system.matrix * density);
-  return (solved - density).norm() / density.norm();
+  return inversion_error(clusters(problem, form, gap),
+                         assemble(problem, ClosureForm::reduced).matrix);
 }
 
 int iterations(const StokesProblem& problem, ClusterForm form) {
