@@ -3,6 +3,7 @@
 Usage: test_exercises.py CHAPTERS BUILD DIAGNOSIS [unittest arguments]
 """
 
+import contextlib
 import os
 import pathlib
 import re
@@ -19,6 +20,9 @@ CHAPTERS, BUILD, DIAGNOSIS = map(pathlib.Path, sys.argv[1:4])
 sys.path[:0] = [str(CHAPTERS), str(pathlib.Path(__file__).resolve().parents[1])]
 import exercises  # noqa: E402
 from tiers import full  # noqa: E402
+
+# Without this, tests that a shell starts in the background, and their children, ignore SIGINT.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 ALIASING = CHAPTERS / "01_trapezoid/exercises/1_aliasing"
 PLACE = pathlib.Path("exercises/01_trapezoid/1_aliasing")
@@ -295,7 +299,10 @@ class Reader(Tool):
         command = [sys.executable, "-B", CHAPTERS / "exercises.py", "check", BUILD, "01.1",
                    "--watch"]
         with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, text=True,
-                              stderr=subprocess.STDOUT) as process:
+                              stderr=subprocess.STDOUT) as process, \
+                contextlib.ExitStack() as stack:
+            stack.callback(process.kill)  # otherwise, a test that fails would wait for its end
+
             def wait_for(text):
                 lines = []
                 while not lines or "waiting" not in lines[-1]:

@@ -35,9 +35,9 @@ import defects
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PRESET = "mutants"
-# Arguments by which ctest selects the quick tier, without the test animation: its browser requires
-# more address space than a test may have here.
-QUICK = ["-L", "as_shipped|sanitized", "-E", "animation"]
+# Arguments by which ctest selects the quick tier, without tests that require more address space
+# than they may have here: for a browser, and for the sanitizers of the exercises.
+QUICK = ["-L", "as_shipped|sanitized", "-E", "^(animation|exercises|grading)$"]
 
 # Boost.Test prints such a line at once; the rest of the test can no longer change the result.
 FIRST_ERROR = re.compile(r": (?:fatal )?error: in \"")
