@@ -3,6 +3,7 @@
 // bodies.
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -25,7 +26,9 @@ using Kind = PreconditionerKind;
 /// Holds the cost of solving the system of a scene's start to a tolerance.
 struct Effort {
   double iterations, unknowns;
-  double seconds;  // seconds for discretisation, operator, preconditioner and iteration
+  double seconds;    // seconds for discretisation, operator, preconditioner and iteration
+  double ms_a_body;  // the same in milliseconds of CPU time, over the number of bodies
+  double kb_a_body;  // memory of a tree of groups, kilobytes, over the number of bodies
 };
 
 /// Selects a preconditioner: a kind of the settings of a scene, or a form of clusters.
@@ -38,11 +41,18 @@ test::Discretised discretised(const Scene& scene, const Choice& choice) {
 
 Effort effort(const Scene& scene, const Choice& choice, double tolerance) {
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t cpu_start = std::clock();
   const LinearSystem discrete = discretised(scene, choice).discrete;
   const GmresResult result = solve(discrete, discrete.system.right_hand_side(), {tolerance, 2000});
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return {static_cast<double>(result.iterations), static_cast<double>(result.solution.size()),
-          taken.count()};
+  const auto cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+  const auto* tree = discrete.precondition.target<HierarchicalPreconditioner>();
+  const auto bodies = static_cast<double>(scene.bodies.size());
+  return {.iterations = static_cast<double>(result.iterations),
+          .unknowns = static_cast<double>(result.solution.size()),
+          .seconds = taken.count(),
+          .ms_a_body = 1e3 * cpu_seconds / bodies,
+          .kb_a_body = tree == nullptr ? 0.0 : 1e-3 * static_cast<double>(tree->bytes()) / bodies};
 }
 
 /// Holds a scene and its position on the x axis of a figure. A quick study skips the scene if
@@ -154,9 +164,54 @@ std::vector<Case> in_containers() {
   std::vector<Case> cases;
   for (const int count : {20, 40, 80, 160, 320}) {
     cases.push_back({static_cast<double>(count), "container " + std::to_string(count),
-                     [=] { return test::disks_in_container(count); }, count > 80, 1e-7});
+                     [=] { return test::settling_in_container(1.0, count, 0.55, 0.005); },
+                     count > 80, 1e-7});
   }
   return cases;
+}
+
+std::vector<Case> in_lines(double gap, int most = 400, int most_in_quick = 100) {
+  std::vector<Case> cases;
+  for (const int count : {20, 50, 100, 200, 400}) {
+    if (count > most) break;
+    cases.push_back({static_cast<double>(count),
+                     "line " + std::to_string(count) + " " + std::to_string(gap),
+                     [=] { return test::loaded_line(count, gap); }, count > most_in_quick, 1e-7});
+  }
+  return cases;
+}
+
+// Packings that have been compressed until many bodies are at the least distance.
+std::vector<Case> jammed(const std::string& name, const std::function<Scene(int)>& scene) {
+  std::vector<Case> cases;
+  for (const int count : {30, 100, 300}) {
+    cases.push_back({static_cast<double>(count), name + std::to_string(count),
+                     [=] { return scene(count); }, true, 1e-7});
+  }
+  return cases;
+}
+
+std::vector<Case> jammed_ellipses() {
+  return jammed("jammed ellipses ", [](int count) { return test::loaded_ellipses(count, 0.6); });
+}
+
+std::vector<Case> jammed_container(double aspect, double fraction) {
+  return jammed("jammed container " + std::to_string(aspect) + " ", [=](int count) {
+    return test::settling_in_container(aspect, count, fraction, 1e-3);
+  });
+}
+
+// Compares the prices of a tree for the same packings.
+std::vector<Line> prices(const std::vector<Case>& cases) {
+  return {{.key = "iterations",
+           .label = "iterations",
+           .measure = measured(cases, Kind::hierarchical, &Effort::iterations)},
+          {.key = "cpu",
+           .label = "milliseconds of CPU a body",
+           .measure = measured(cases, Kind::hierarchical, &Effort::ms_a_body)},
+          {.key = "memory",
+           .label = "kilobytes a body",
+           .measure = measured(cases, Kind::hierarchical, &Effort::kb_a_body)}};
 }
 
 }  // namespace
@@ -320,6 +375,76 @@ Experiment packing_fractions() {
                                  .api = {"stokesbook::hierarchy_settings"}},
                   .control = Control{"block-diagonal",
                                      counts(loaded_by_fraction(), Kind::block_diagonal)}}}});
+}
+
+Experiment packing_prices() {
+  std::vector<Line> lines = prices(loaded_by_disks());
+  lines.push_back(
+      {.key = "free",
+       .label = "milliseconds of CPU a body, free clusters",
+       .measure = measured(loaded_by_disks(), ClusterForm::mobility, &Effort::ms_a_body)});
+  return {.key = "loaded_price",
+          .title = "Price of random packings in a tree of groups, area fraction 0.65",
+          .x = "number of disks P",
+          .error = "iterations; time and memory of a body",
+          .lines = std::move(lines)};
+}
+
+Experiment fraction_prices() {
+  return left_to_full({.key = "fractions_price",
+                       .title = "Price of random packings of 500 disks under loads",
+                       .x = "area fraction",
+                       .error = "iterations; time and memory of a body",
+                       .axes = Axes::semi_log,
+                       .lines = prices(loaded_by_fraction())});
+}
+
+Experiment lines_of_disks() {
+  return {.key = "lines",
+          .title = "Iterations for disks in a line under alternating loads",
+          .x = "number of disks P",
+          .error = "iterations to a residual of 1e-7",
+          .lines = {
+              {.key = "wide",
+               .label = "tree of groups, gap 0.1",
+               .measure = counts(in_lines(0.1), Kind::hierarchical)},
+              {.key = "narrow",
+               .label = "tree of groups, gap 0.01",
+               .measure = counts(in_lines(0.01), Kind::hierarchical),
+               .claim = Claim{.id = "13_14",
+                              .statement = "In a tree of groups, lines of up to 400 disks "
+                                           "(100 in a quick study) with gaps of 0.01 take 50 "
+                                           "iterations at most.",
+                              .law = AtMost{50.0},
+                              .reason = "groups of a line meet only at their ends",
+                              .api = {"stokesbook::HierarchicalPreconditioner"}},
+               .control = Control{"block-diagonal", counts(in_lines(0.01), Kind::block_diagonal)}},
+              {.key = "tight",
+               .label = "tree of groups, gap 0.001",
+               .measure = counts(in_lines(0.001, 200, 50), Kind::hierarchical)},
+              {.key = "blocks",
+               .label = "block-diagonal, gap 0.01",
+               .measure = counts(in_lines(0.01), Kind::block_diagonal)}}};
+}
+
+Experiment jammed_packings() {
+  return left_to_full(
+      {.key = "jammed",
+       .title = "Iterations for compressed packings with gaps of 0.001 and more",
+       .x = "number of bodies P",
+       .error = "iterations to a residual of 1e-7",
+       .lines = {{.key = "blocks",
+                  .label = "disks in a container, block-diagonal",
+                  .measure = counts(jammed_container(1.0, 0.65), Kind::block_diagonal)},
+                 {.key = "disks",
+                  .label = "disks in a container, area fraction 0.65",
+                  .measure = counts(jammed_container(1.0, 0.65), Kind::hierarchical)},
+                 {.key = "ellipses",
+                  .label = "ellipses 3:1, area fraction 0.6",
+                  .measure = counts(jammed_ellipses(), Kind::hierarchical)},
+                 {.key = "ellipses_in_container",
+                  .label = "ellipses 3:1 in a container, area fraction 0.6",
+                  .measure = counts(jammed_container(3.0, 0.6), Kind::hierarchical)}}});
 }
 
 Experiment containers() {

@@ -20,7 +20,11 @@ study::Experiment packings();
 study::Experiment packing_seconds();
 study::Experiment loaded_packings();
 study::Experiment packing_fractions();
+study::Experiment packing_prices();
+study::Experiment fraction_prices();
+study::Experiment lines_of_disks();
 study::Experiment containers();
+study::Experiment jammed_packings();
 study::Experiment crystals();
 study::Experiment recycling();
 /// @}

@@ -10,10 +10,13 @@ study::Study preconditioning_study() {
   return {.number = "13",
           .name = "preconditioning",
           .title = "Bodies that nearly touch",
-          .experiments = {pair_spectrum(), clusters(), gaps(), target_iterations(),
-                          target_seconds(), ideas(), screening(), pores(), contact_iterations(),
-                          contact_seconds(), packings(), loaded_packings(), packing_fractions(),
-                          containers(), packing_seconds(), crystals(), recycling()}};
+          .experiments = {pair_spectrum(),     clusters(),       gaps(),
+                          target_iterations(), target_seconds(), ideas(),
+                          screening(),         pores(),          contact_iterations(),
+                          contact_seconds(),   packings(),       loaded_packings(),
+                          packing_fractions(), packing_prices(), fraction_prices(),
+                          lines_of_disks(),    containers(),     jammed_packings(),
+                          packing_seconds(),   crystals(),       recycling()}};
 }
 
 }  // namespace stokesbook

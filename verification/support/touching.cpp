@@ -37,6 +37,46 @@ std::vector<Complex> lattice(int rings, double pitch) {
   return points;
 }
 
+// Sets normally distributed forces, whose sum is zero, and torques. The fluid is at rest far away.
+Scene under_loads(Scene scene) {
+  scene.flow = QuiescentFlow{};
+  std::mt19937_64 random(11);
+  const auto uniform = [&] { return std::ldexp(static_cast<double>(random()) + 0.5, -64); };
+  // A complex number whose parts are independent and normally distributed (Box and Muller).
+  const auto normal = [&] {
+    const double radius = std::sqrt(-2.0 * std::log(uniform()));
+    return std::polar(radius, 2.0 * std::numbers::pi * uniform());
+  };
+  Complex sum;
+  for (Body& body : scene.bodies) {
+    body.force = normal();
+    body.torque = normal().real();
+    sum += body.force;
+  }
+  for (Body& body : scene.bodies) body.force -= sum / static_cast<double>(scene.bodies.size());
+  return scene;
+}
+
+// Returns a request for ellipses with the semi-axes `aspect` and 1, or for disks.
+Fill fill_of(double aspect, int count, double gap) {
+  Fill fill{.count = count, .clearance = gap};
+  if (aspect == 1.0) {
+    fill.body.shape = Circle{1.0};
+  } else {
+    fill.body.shape = Ellipse{aspect, 1.0};
+  }
+  return fill;
+}
+
+Scene filled(const Fill& fill, std::vector<Wall> walls = {}) {
+  SceneFile file;
+  file.scene.seed = 3;
+  file.scene.solver.tolerance = 1e-5;
+  file.scene.walls = std::move(walls);
+  file.fills = {fill};
+  return place_fills(file);
+}
+
 }  // namespace
 
 Scene disk_chain(double gap) {
@@ -78,33 +118,35 @@ Scene disk_packing(int count) {
 }
 
 Scene loaded_packing(int count, double fraction, unsigned seed) {
-  Scene scene = disks(boxed_packing(count, fraction, 1e-3, seed), 1e-5);
+  return under_loads(disks(boxed_packing(count, fraction, 1e-3, seed), 1e-5));
+}
+
+Scene loaded_ellipses(int count, double fraction) {
+  const double side = std::sqrt(count * 3.0 * std::numbers::pi / fraction);
+  Fill fill = fill_of(3.0, count, 1e-3);
+  fill.box = {0.0, 0.0, side, side};
+  return under_loads(filled(fill));
+}
+
+Scene loaded_line(int count, double gap) {
+  std::vector<Complex> positions;
+  for (int k = 0; k < count; ++k) positions.emplace_back(k * (2.0 + gap), 0.0);
+  Scene scene = disks(positions, 1e-5);
   scene.flow = QuiescentFlow{};
-  std::mt19937_64 random(11);
-  const auto uniform = [&] { return std::ldexp(static_cast<double>(random()) + 0.5, -64); };
-  // A complex number whose parts are independent and normally distributed (Box and Muller).
-  const auto normal = [&] {
-    const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    return std::polar(radius, 2.0 * std::numbers::pi * uniform());
-  };
-  Complex sum;
+  double sign = 1.0;
   for (Body& body : scene.bodies) {
-    body.force = normal();
-    body.torque = normal().real();
-    sum += body.force;
+    body.force = sign * Complex(1.0, 0.5);
+    body.torque = sign;
+    sign = -sign;
   }
-  for (Body& body : scene.bodies) body.force -= sum / static_cast<double>(count);
   return scene;
 }
 
-Scene disks_in_container(int count) {
-  SceneFile file;
-  file.scene.seed = 3;
-  file.scene.solver.tolerance = 1e-5;
-  file.scene.walls = {{.role = WallRole::outer, .shape = Circle{std::sqrt(count / 0.55)}}};
-  file.fills = {
-      {.body = {.shape = Circle{1.0}, .force = -imaginary}, .count = count, .clearance = 0.005}};
-  return place_fills(file);
+Scene settling_in_container(double aspect, int count, double fraction, double gap) {
+  Fill fill = fill_of(aspect, count, gap);
+  fill.body.force = -imaginary;
+  return filled(fill,
+                {{.role = WallRole::outer, .shape = Circle{std::sqrt(count * aspect / fraction)}}});
 }
 
 Scene ellipses_in_vortices(double tolerance) {

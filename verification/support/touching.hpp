@@ -25,9 +25,19 @@ Scene disk_packing(int count);
 /// tolerance 1e-5.
 Scene loaded_packing(int count, double fraction, unsigned seed = 1);
 
-/// Returns a scene of disks of radius 1 that settle in a round container, at the area fraction 0.55
-/// and with gaps of at least 0.005. The solver has the tolerance 1e-5.
-Scene disks_in_container(int count);
+/// Returns a scene of ellipses with the semi-axes 3 and 1 at random in a square box, with gaps of at
+/// least 0.001, under the loads of loaded_packing(). The solver has the tolerance 1e-5.
+Scene loaded_ellipses(int count, double fraction);
+
+/// Returns a scene of disks of radius 1 in a row, at rest under loads of alternating signs. The
+/// solver has the tolerance 1e-5.
+Scene loaded_line(int count, double gap);
+
+/// Returns a scene of ellipses with the semi-axes `aspect` and 1 that settle in a round container.
+/// The solver has the tolerance 1e-5.
+/// @param  fraction  area fraction in the container
+/// @param  gap       least gap of two bodies, and of a body and the wall
+Scene settling_in_container(double aspect, int count, double fraction, double gap);
 
 /// Returns the start of the published Taylor-Green run of 48 ellipses. The solver has the given
 /// tolerance.
