@@ -33,8 +33,8 @@ Scene loaded_ellipses(int count, double fraction);
 /// solver has the tolerance 1e-5.
 Scene loaded_line(int count, double gap);
 
-/// Returns a scene of ellipses with the semi-axes `aspect` and 1 that settle in a round container.
-/// The solver has the tolerance 1e-5.
+/// Returns a scene of ellipses with the semi-axes `aspect` and 1, or disks of radius 1, that settle in
+/// a round container. The solver has the tolerance 1e-5.
 /// @param  fraction  area fraction in the container
 /// @param  gap       least gap of two bodies, and of a body and the wall
 Scene settling_in_container(double aspect, int count, double fraction, double gap);
