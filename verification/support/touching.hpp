@@ -20,21 +20,21 @@ Scene disk_hexagon(int rings, double gap, double tolerance = 1e-6);
 /// then change the positions. The result is the same on every machine.
 Scene disk_packing(int count);
 
-/// Returns a scene of disks of radius 1 in the places of boxed_packing() with gaps of at least 0.001,
-/// at rest under normally distributed forces, whose sum is zero, and torques. The solver has the
-/// tolerance 1e-5.
+/// Returns a scene of disks of radius 1 in the places of boxed_packing() with gaps of at least
+/// 0.001, at rest under normally distributed forces, whose sum is zero, and torques. The solver has
+/// the tolerance 1e-5.
 Scene loaded_packing(int count, double fraction, unsigned seed = 1);
 
-/// Returns a scene of ellipses with the semi-axes 3 and 1 at random in a square box, with gaps of at
-/// least 0.001, under the loads of loaded_packing(). The solver has the tolerance 1e-5.
+/// Returns a scene of ellipses with the semi-axes 3 and 1 at random in a square box, with gaps of
+/// at least 0.001, under the loads of loaded_packing(). The solver has the tolerance 1e-5.
 Scene loaded_ellipses(int count, double fraction);
 
 /// Returns a scene of disks of radius 1 in a row, at rest under loads of alternating signs. The
 /// solver has the tolerance 1e-5.
 Scene loaded_line(int count, double gap);
 
-/// Returns a scene of ellipses with the semi-axes `aspect` and 1, or disks of radius 1, that settle in
-/// a round container. The solver has the tolerance 1e-5.
+/// Returns a scene of ellipses with the semi-axes `aspect` and 1, or disks of radius 1, that settle
+/// in a round container. The solver has the tolerance 1e-5.
 /// @param  fraction  area fraction in the container
 /// @param  gap       least gap of two bodies, and of a body and the wall
 Scene settling_in_container(double aspect, int count, double fraction, double gap);
