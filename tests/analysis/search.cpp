@@ -173,6 +173,9 @@ BOOST_AUTO_TEST_CASE(diagrams_and_the_table_have_all_trials) {
   const std::string table = to_text(found);
   const auto lines = static_cast<std::size_t>(std::ranges::count(table, '\n'));
   BOOST_TEST(lines == found.trials.size() + 1);
+  for (const Trial& trial : found.trials) {
+    BOOST_TEST(table.find("  " + to_text(trial.settings) + "\n") != std::string::npos);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -194,7 +194,13 @@ class Program(unittest.TestCase):
         refused = stokes("measure", out, "--box=0,0,1,1", code=3).stderr
         self.assertIn("all bodies and images count: remove --box", refused)
         solved = stokes("solve", self.folder / "cell.toml", "--out", self.folder / "once").stdout
-        self.assertIn(f"viscosity {rheology['viscosity'][0]:.9g}"[:-2], solved)
+        printed = dict(re.findall(r"([a-z12]+(?: [a-z]+)*) ([-+.e0-9]+)(?:,| from|\n)",
+                                  solved[solved.index("mean stress"):]))
+        columns = {"11": "stress_11", "12": "stress_12", "21": "stress_21", "22": "stress_22",
+                   "viscosity": "viscosity", "particle pressure": "particle_pressure",
+                   "first normal stress difference": "normal_stress_difference"}
+        for name, column in columns.items():
+            self.assertAlmostEqual(float(printed[name]), rheology[column][0], 8)
         self.assertIn("from tractions\n", solved)
 
     def test_refusals(self):

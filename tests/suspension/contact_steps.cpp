@@ -7,6 +7,7 @@
 
 #include "contact_checks.hpp"
 #include "contact_setup.hpp"
+#include "suspension/motion/statistics.hpp"
 
 namespace stokesbook::test {
 
@@ -155,6 +156,20 @@ BOOST_AUTO_TEST_CASE(net_torques_are_reported) {
     BOOST_TEST(torque > 0.0);
     BOOST_TEST(torque <= 1e-12);
   }
+}
+
+// A step that has contact at two instants reports the larger errors of both, the power of the last,
+// and the energy that both put in.
+BOOST_AUTO_TEST_CASE(a_step_reports_the_worst_of_its_contacts) {
+  ContactOutcome first, last;
+  first.kkt_residual = 3.0, first.imbalance = {1.0, 6.0}, first.result.power = 2.0;
+  last.kkt_residual = 2.0, last.imbalance = {4.0, 5.0}, last.result.power = -7.0;
+  const StepInfo step = with_forces(with_forces({}, first, 0.5), last, 0.5);
+  BOOST_TEST(step.kkt_residual == 3.0);
+  BOOST_TEST(step.force_imbalance == 4.0);
+  BOOST_TEST(step.torque_imbalance == 6.0);
+  BOOST_TEST(step.contact_power == -7.0);
+  BOOST_TEST(step.energy_injected == 1.0);
 }
 
 BOOST_AUTO_TEST_CASE(totals_count_what_contact_takes) {

@@ -215,6 +215,7 @@ BOOST_AUTO_TEST_CASE(the_plan_tells_what_a_scene_asks_for) {
   driven.bodies[0].loads.trap = Trap{1.0, {}};
   driven.bodies[0].loads.amplitude = RampedAmplitude{{1.0, 2.0}, {0.0, 1.0}};
   driven.repulsion = Repulsion{2.0, 0.5};
+  driven.reverse_at = {3.0};  // no amplitude
   const std::string plan = plan_of(driven);
   BOOST_TEST(mentions(plan, "given Stokeslets"));
   BOOST_TEST(mentions(plan, "traps, repulsion 2 exp(-gap / 0.5)"));
