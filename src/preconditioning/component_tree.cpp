@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "trapezoid/rectangle_index.hpp"
+
 namespace stokesbook {
 
 using Eigen::Index;
@@ -92,6 +94,26 @@ ComponentTree::ComponentTree(const std::vector<Box>& disks) : order(disks.size()
     }
     levels.push_back(std::move(groups));
   }
+}
+
+std::vector<std::vector<Index>> near_groups(const std::vector<Box>& groups, double reach) {
+  std::vector<Rectangle> squares;
+  for (const Box& group : groups) squares.push_back(square_about(group.centre, group.radius));
+  const RectangleIndex index(squares);
+  double largest = 0.0;
+  for (const Box& group : groups) largest = std::max(largest, group.radius);
+  std::vector<std::vector<Index>> near(groups.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t a = 0; a < groups.size(); ++a) {
+    const double farthest = reach * (groups[a].radius + largest);
+    for (const std::size_t b : index.meeting(square_about(groups[a].centre, farthest))) {
+      if (b != a && std::abs(groups[a].centre - groups[b].centre) <
+                        reach * (groups[a].radius + groups[b].radius)) {
+        near[a].push_back(static_cast<Index>(b));
+      }
+    }
+  }
+  return near;
 }
 
 }  // namespace stokesbook

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "fmm/quadtree.hpp"
 
 namespace stokesbook {
@@ -24,5 +26,9 @@ struct ComponentTree {
   /// below. On the lowest level, a group is one component, which is its only child, too.
   std::vector<std::vector<Box>> levels;
 };
+
+/// Finds the groups of a level that are coupled to each group by blocks, ascending: those whose
+/// centres are less than `reach` times the sum of the radii apart.
+std::vector<std::vector<Eigen::Index>> near_groups(const std::vector<Box>& groups, double reach);
 
 }  // namespace stokesbook

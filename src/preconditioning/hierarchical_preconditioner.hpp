@@ -12,12 +12,16 @@
 
 namespace stokesbook {
 
+struct ReducedGroup;
+struct ReducedLevel;
+
 /// How much a HierarchicalPreconditioner leaves out. The defaults suit random packings with few
 /// contacts.
 struct HierarchySettings {
-  /// tau of single components; that of groups falls by 0.6 from level to level, down to 0.06. Below
-  /// 0.05 rounding in single precision shows.
-  double tolerance = 0.5;
+  double tolerance = 0.5;  ///< tau of single components, and of arcs of walls
+  /// tau of groups of four; that of larger groups falls by 0.6 from level to level, down to 0.06.
+  /// Below 0.05 rounding in single precision shows.
+  double group_tolerance = 0.24;
   /// Couplings of groups at larger distances of their centres, over the sum of their radii, are
   /// expansions; > 1.
   double reach = 1.2;
@@ -78,6 +82,9 @@ class HierarchicalPreconditioner {
     std::shared_ptr<const CompactMatrix> inverse;  // of its own block, in its frame
     double orientation;
   };
+
+  // Adds a level; returns its groups.
+  std::vector<ReducedGroup> keep(ReducedLevel level);
 
   std::vector<Single> singles_;             // in the order of the tree
   std::vector<std::vector<Group>> levels_;  // components, then larger and larger groups

@@ -174,11 +174,14 @@ BOOST_AUTO_TEST_CASE(a_step_reports_the_worst_of_its_contacts) {
 
 BOOST_AUTO_TEST_CASE(totals_count_what_contact_takes) {
   const RecordedRun run = recorded_run(over(head_on(0.0), 0.3, 0.1));
-  long long iterations = 0, matvecs = 0;
+  long long iterations = 0, matvecs = 0, linear_problems = 0;
   for (const StepInfo& step : run.steps) {
     iterations += step.gmres_iterations;
     matvecs += step.matvecs;
+    linear_problems += step.ncp_iterations;
   }
+  BOOST_TEST(linear_problems > 0);
+  BOOST_TEST(run.totals.ncp_iterations >= linear_problems);
   BOOST_TEST(run.totals.contact_solves > 0);
   BOOST_TEST(run.totals.contact_seconds > 0.0);
   BOOST_TEST(run.totals.gmres_iterations >= iterations);

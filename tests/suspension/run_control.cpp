@@ -245,6 +245,23 @@ BOOST_AUTO_TEST_CASE(steps_after_the_last_event_depend_on_the_end) {
   BOOST_TEST(first_dependent(scene) == 0.0);
 }
 
+// Written times are multiples of the interval up to rounding, however short or long it is.
+BOOST_AUTO_TEST_CASE(times_between_multiples_are_not_written) {
+  for (const double interval : {1e-6, 1.0, 1e6}) {
+    Scene scene = sheared_pair(SteppingMethod::heun);
+    scene.time->t_final = 10.0 * interval;
+    scene.output.dt_write = interval;
+    const OutputSchedule schedule(scene);
+    BOOST_TEST(schedule.is_written(3.0 * interval));
+    for (const double aside : {-1e-10, 1e-10}) {
+      BOOST_TEST(schedule.is_written((3.0 + aside) * interval));
+    }
+    for (const double aside : {-1e-8, 1e-8, 0.5}) {
+      BOOST_TEST(!schedule.is_written((3.0 + aside) * interval));
+    }
+  }
+}
+
 // Settings change nothing where the run is, and the contact of the new settings is checked.
 BOOST_AUTO_TEST_CASE(a_run_goes_on_with_other_settings) {
   Scene scene = sheared_pair();

@@ -235,7 +235,8 @@ HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
                                      const Discretisation& discretisation) {
   const bool is_stiff = pairs_within(touching, inner_gaps(gaps, discretisation), discretisation) >=
                         discretisation.size();
-  return is_stiff ? HierarchySettings{.tolerance = 0.55, .reach = 1.5} : HierarchySettings{};
+  if (!is_stiff) return {};
+  return {.tolerance = 0.55, .group_tolerance = 0.33, .reach = 1.5};
 }
 
 HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& problem,
