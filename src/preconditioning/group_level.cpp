@@ -65,7 +65,7 @@ class Level {
   }
 
   MatrixXf outgoing(const Box& disk, Index a) const {
-    MatrixXf outgoing(far_field_.weights().size(), size(a));
+    MatrixXf outgoing(far_field_.size(), size(a));
     for (std::size_t i = first_child(a); i < last_child(a); ++i) {
       outgoing.middleCols(place(a, i), below_[i].width()) =
           far_field_.multipole_to_multipole(below_[i].disk, disk) * below_[i].outgoing;
@@ -74,7 +74,7 @@ class Level {
   }
 
   MatrixXf incoming(const Box& disk, Index a) const {
-    MatrixXf incoming(size(a), far_field_.weights().size());
+    MatrixXf incoming(size(a), far_field_.size());
     for (std::size_t i = first_child(a); i < last_child(a); ++i) {
       incoming.middleRows(place(a, i), below_[i].width()) =
           below_[i].incoming * far_field_.local_to_local(disk, below_[i].disk);

@@ -12,6 +12,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "double_layer/double_layer.hpp"
+#include "scenes.hpp"
 #include "support/dense.hpp"
 #include "support/smooth_curve.hpp"
 #include "suspension/nodes/node_choice.hpp"
@@ -87,15 +88,6 @@ class NearlyTouching {
   std::vector<Complex> positions_;
   std::vector<double> turns_{0.0, 1.1, -2.0};
 };
-
-double difference(const std::vector<RigidMotion>& a, const std::vector<RigidMotion>& b) {
-  double largest = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    largest = std::max(
-        {largest, std::abs(a[k].velocity - b[k].velocity), std::abs(a[k].omega - b[k].omega)});
-  }
-  return largest;
-}
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -244,8 +236,8 @@ BOOST_AUTO_TEST_CASE(motions_of_bodies_that_nearly_touch_have_the_digits_asked_f
     for (const Resolution& chosen : nodes) {
       BOOST_TEST(chosen.is_graded());
     }
-    BOOST_TEST(difference(bodies.motions(nodes), exact) < tolerance);
+    BOOST_TEST(test::largest_difference(bodies.motions(nodes), exact) < tolerance);
     for (Resolution& chosen : nodes) chosen.grading = {};
-    BOOST_TEST(difference(bodies.motions(nodes), exact) > tolerance);
+    BOOST_TEST(test::largest_difference(bodies.motions(nodes), exact) > tolerance);
   }
 }

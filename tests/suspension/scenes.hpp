@@ -75,6 +75,18 @@ struct Solved {
   }
 };
 
+/// Returns the largest difference of velocities and angular velocities of components whose size is
+/// of the order of 1.
+inline double largest_difference(const std::vector<RigidMotion>& a,
+                                 const std::vector<RigidMotion>& b) {
+  double largest = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    largest = std::max(
+        {largest, std::abs(a[k].velocity - b[k].velocity), std::abs(a[k].omega - b[k].omega)});
+  }
+  return largest;
+}
+
 /// Converts a residual relative to the whole flow, as in published results, to a residual relative
 /// to the part of the flow that strains the bodies, as in this library.
 inline double relative_to_whole_flow(const SuspensionSolver& solver, double published) {
