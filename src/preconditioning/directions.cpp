@@ -6,11 +6,11 @@
 #include <utility>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 namespace stokesbook {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 using Eigen::VectorXf;
 
@@ -44,12 +44,17 @@ MatrixXf basis_of(double tau, MatrixXf gram) {
   if (rank == 0) return {n, 0};
   const auto range = factor.leftCols(rank);
   const MatrixXf inner = range.transpose() * range;
-  const Eigen::SelfAdjointEigenSolver<MatrixXf> solver(inner);
+  const MatrixXd doubled = inner.cast<double>();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(doubled);
   const Index count = (solver.eigenvalues().array() > bound).count();
   if (count == 0) return {n, 0};
-  const MatrixXf directions = range * solver.eigenvectors().rightCols(count);
-  const Eigen::HouseholderQR<MatrixXf> orthogonal(directions);
-  return orthogonal.householderQ() * MatrixXf::Identity(n, count);
+  const MatrixXf vectors = solver.eigenvectors().rightCols(count).cast<float>();
+  MatrixXf basis = range * vectors;
+  basis.colwise().normalize();
+  // The columns are orthogonal but for rounding errors, which one step of Newton's method squares.
+  MatrixXf correction = -0.5F * (basis.transpose() * basis);
+  correction.diagonal().array() += 1.5F;
+  return basis * correction;
 }
 
 }  // namespace

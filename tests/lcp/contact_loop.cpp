@@ -2,10 +2,10 @@
 // and a disk, points in a row, a rod on a floor, a crowd of disks.
 #include "lcp/contact_loop.hpp"
 
-#include <Eigen/Cholesky>
 #include <boost/test/unit_test.hpp>
 
 #include "support/contact_scenes.hpp"
+#include "support/dense.hpp"
 
 namespace stokesbook::test {
 
@@ -16,7 +16,7 @@ MatrixXd random_mobility(Index n, unsigned seed) {
 }
 
 double energy(const VectorXd& velocity, const MatrixXd& mobility) {
-  return velocity.dot(mobility.ldlt().solve(velocity));
+  return velocity.dot(solve(mobility, velocity));
 }
 
 // A point's free motion ends within the unit disk; contact forces act along x at any place.

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/LU>
-
 #include "closure/bordered_system.hpp"
 #include "double_layer/double_layer.hpp"
 #include "double_layer/stresslet_sum.hpp"
 #include "krylov/matrices.hpp"
+#include "support/dense.hpp"
 
 namespace stokesbook::test {
 
@@ -84,7 +83,7 @@ double force_of_disks(std::size_t count, double gauge) {
   StokesProblem problem = moving_disks(count);
   problem.gauge_length = gauge;
   const DenseSystem system = assemble(problem, ClosureForm::reduced);
-  const VectorXd density = system.matrix.partialPivLu().solve(system.rhs);
+  const VectorXd density = solve(system.matrix, system.rhs);
   Complex force;
   for (const Load& load : complete_dense(problem, ClosureForm::reduced, density).loads) {
     force += load.force;

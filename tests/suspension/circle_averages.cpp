@@ -35,9 +35,8 @@ Enclosed enclosed_by(const Solved& solved, Complex centre, double inner, double 
     azimuthal[i] = average.azimuthal;
     flux[i] = 2 * std::numbers::pi * r * average.radial;
   }
-  const Eigen::Vector3cd c = laws.topLeftCorner<3, 3>().partialPivLu().solve(mean.head<3>());
-  const Eigen::Vector2d turning =
-      turning_laws.topRows<2>().partialPivLu().solve(azimuthal.head<2>());
+  const Eigen::Vector3cd c = laws.topLeftCorner<3, 3>().inverse() * mean.head<3>();
+  const Eigen::Vector2d turning = turning_laws.topRows<2>().inverse() * azimuthal.head<2>();
   const double scale = 4 * std::numbers::pi * solved.solver.scene().viscosity;
   const double misfit =
       std::abs(laws.row(3).head<3>().cast<Complex>().dot(c.conjugate()) - std::conj(mean[3]));

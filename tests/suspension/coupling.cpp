@@ -2,7 +2,6 @@
 // point, and its sweeps contract by the spectral radius of I - M^{-1} A, or diverge (chapter 12).
 
 #include <cmath>
-#include <regex>
 #include <string>
 
 #include "double_layer/double_layer.hpp"
@@ -94,10 +93,10 @@ BOOST_AUTO_TEST_CASE(a_crowd_is_refused_whatever_the_step) {
   BOOST_TEST(longer.steps.size() == shorter.steps.size());
   BOOST_TEST(longer.stopped.find("the lagged coupling diverges") != std::string::npos);
   // The number in the message shows that the residual is larger than the data.
-  std::smatch residual;
-  BOOST_REQUIRE(std::regex_search(longer.stopped, residual,
-                                  std::regex("a residual of ([0-9.e+]+) times the data")));
-  BOOST_TEST(std::stod(residual[1]) > 1.0);
+  const std::string before = "a residual of ";
+  const std::size_t at = longer.stopped.find(before);
+  BOOST_REQUIRE(at != std::string::npos);
+  BOOST_TEST(std::stod(longer.stopped.substr(at + before.size())) > 1.0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

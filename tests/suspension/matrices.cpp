@@ -5,10 +5,9 @@
 
 #include <numbers>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-
 #include "support/closed_forms.hpp"
+#include "support/dense.hpp"
+#include "support/spectra.hpp"
 #include "text/word_list.hpp"
 #include "units.hpp"
 
@@ -28,8 +27,8 @@ void check_properties(const HydrodynamicMatrices& matrices, double tolerance) {
   BOOST_TEST(resistance_asymmetry < tolerance);
   BOOST_TEST(mobility_asymmetry < tolerance);
   BOOST_TEST(inverse_error < tolerance);
-  BOOST_TEST((matrices.resistance.llt().info() == Eigen::Success));
-  BOOST_TEST((matrices.mobility.llt().info() == Eigen::Success));
+  BOOST_TEST(symmetric_eigenvalues(matrices.resistance)[0] > 0.0);
+  BOOST_TEST(symmetric_eigenvalues(matrices.mobility)[0] > 0.0);
 }
 
 }  // namespace
@@ -51,7 +50,7 @@ BOOST_AUTO_TEST_CASE(disk_in_a_container) {
       (4.0 * pi * mu);
   const HydrodynamicMatrices found = hydrodynamic_matrices(one);
   check_close(found.mobility, exact, 1e-12);
-  check_close(found.resistance, exact.inverse(), 1e-12);
+  check_close(found.resistance, inverse(exact), 1e-12);
 }
 
 // The turned ellipse couples the two directions. The gauge length exceeds twice its size.
@@ -67,7 +66,7 @@ BOOST_AUTO_TEST_CASE(ellipse_with_a_gauge_length) {
   const auto found =
       hydrodynamic_matrices(with_gauge(scene({body(ellipse, 128, {2.0, 1.0}, 0.5)}), gauge));
   check_close(found.mobility, exact, 1e-12);
-  check_close(found.resistance, exact.inverse(), 1e-11);
+  check_close(found.resistance, inverse(exact), 1e-11);
 }
 
 BOOST_AUTO_TEST_CASE(pair_of_disks) {

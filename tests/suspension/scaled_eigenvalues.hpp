@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
+#include "support/spectra.hpp"
 
 namespace stokesbook::test {
 
@@ -9,8 +9,7 @@ namespace stokesbook::test {
 inline Eigen::VectorXd scaled_eigenvalues(const Eigen::MatrixXd& works) {
   const Eigen::VectorXd unit = works.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = unit.asDiagonal() * works * unit.asDiagonal();
-  const Eigen::MatrixXd symmetric = 0.5 * (scaled + scaled.transpose());
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues();
+  return symmetric_eigenvalues(0.5 * (scaled + scaled.transpose()));
 }
 
 }  // namespace stokesbook::test

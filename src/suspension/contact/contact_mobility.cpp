@@ -10,7 +10,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 #include "double_layer/double_layer.hpp"
 #include "suspension/system/fast_sum.hpp"
@@ -143,9 +142,16 @@ MatrixXd definite_correction(const MatrixXd& loads, const MatrixXd& works) {
   const VectorXd increase = (-eigenvalues.minCoeff() - eigenvalues.array()).cwiseMax(0.0);
   const MatrixXd vectors = scale.asDiagonal() * modes.eigenvectors();
   const MatrixXd change = vectors * increase.asDiagonal() * vectors.transpose();
-  // The least V' with F^T V' = change.
+  // The least V' with F^T V' = change: F (F^T F)^+ change, where loads may depend on each other.
   const MatrixXd gram = loads.transpose() * loads;
-  return loads * gram.completeOrthogonalDecomposition().solve(change);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_gram(gram);
+  const VectorXd& squares = of_gram.eigenvalues();
+  const double zero =
+      std::numeric_limits<double>::epsilon() * static_cast<double>(m) * squares.maxCoeff();
+  const VectorXd inverse = (squares.array() > zero).select(squares.cwiseInverse(), 0.0);
+  MatrixXd along = of_gram.eigenvectors().transpose() * change;
+  along = inverse.asDiagonal() * along;
+  return loads * (of_gram.eigenvectors() * along);
 }
 
 ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution& solution,
