@@ -188,7 +188,6 @@ std::vector<GapConstraint> GapConstraints::active_constraints(const VectorXd& ve
   for (const Contact& contact : rules_.find(images).contacts) {
     const std::optional<ContactPair> pair = images.pair(contact.a, contact.b);
     if (!pair || !is_movable_pair(discretisation_, pair->a, pair->b)) continue;
-    if (contact.is_violated()) active_.insert(*pair);
     for (const ContactRow& row : contact.rows) {
       near[*pair].push_back({*pair, {row.key.vertex_of == contact.b, row.key.vertex}, row});
     }
