@@ -4,8 +4,10 @@
 #include "suspension/solver/solver.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "double_layer/double_layer.hpp"
@@ -136,18 +138,19 @@ Discretisation SuspensionSolver::discretise(const Resolutions& resolutions) cons
   return discretisation;
 }
 
-std::shared_ptr<const LinearSystem> SuspensionSolver::assemble(
-    const StokesProblem& problem, const Configuration& configuration, const std::vector<Gap>& gaps,
-    const Discretisation& discretisation) const {
-  return std::make_shared<const LinearSystem>(preconditioned_system(
-      scene_, plan_, problem, configuration, gaps, discretisation, separation()));
+LinearSystem SuspensionSolver::assemble(const StokesProblem& problem,
+                                        const Configuration& configuration,
+                                        const std::vector<Gap>& gaps,
+                                        const Discretisation& discretisation) const {
+  return preconditioned_system(scene_, plan_, problem, configuration, gaps, discretisation,
+                               separation());
 }
 
 LinearSystem SuspensionSolver::linear_system(const Instant& instant,
                                              const Discretisation& discretisation) const {
   const Configuration& configuration = instant.configuration;
-  return *assemble(instant_problem(scene_, instant, discretisation), configuration,
-                   gaps(configuration, instant.cell), discretisation);
+  return assemble(instant_problem(scene_, instant, discretisation), configuration,
+                  gaps(configuration, instant.cell), discretisation);
 }
 
 // Discretises the components of an instant and assembles its linear system.
@@ -160,7 +163,8 @@ Solution SuspensionSolver::prepare(const Instant& instant, const std::vector<Gap
   throw_if<ConfigurationError>(geometry_error(scene_, gaps, configuration, discretisation));
   const StokesProblem problem = instant_problem(scene_, instant, discretisation);
   throw_if(data_error(scene_, problem));
-  prepared.system = assemble(problem, configuration, gaps, discretisation);
+  prepared.system =
+      std::make_shared<const LinearSystem>(assemble(problem, configuration, gaps, discretisation));
   prepared.velocity_scale = prepared.system->system.right_hand_side().cwiseAbs().maxCoeff();
   prepared.gaps = gaps;
   return prepared;
@@ -259,7 +263,9 @@ LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_
   LinearSystem discrete =
       unpreconditioned_system(plan_, loaded_problem(scene_, loaded, loaded.discretisation),
                               loaded.instant.configuration, loaded.discretisation);
-  discrete.precondition = loaded.system->precondition;
+  if (const LinearMap& precondition = loaded.system->precondition) {
+    discrete.precondition = std::cref(precondition);
+  }
   Solution solution = loaded;
   solution.gmres.solution = interleaved(loaded.density);
   const Completion completion = discrete.system.closure().complete(loaded.density);
@@ -314,7 +320,8 @@ Solution SuspensionSolver::solve_refined(const Solution& solution) const {
   throw_if<ConfigurationError>(limit_error(scene_, resolutions, solution.gaps));
   Solution finer{solution.instant, discretise(resolutions)};
   const StokesProblem problem = loaded_problem(scene_, solution, finer.discretisation);
-  finer.system = assemble(problem, configuration, solution.gaps, finer.discretisation);
+  finer.system = std::make_shared<const LinearSystem>(
+      assemble(problem, configuration, solution.gaps, finer.discretisation));
   finer.velocity_scale = solution.velocity_scale;
   finer.gaps = solution.gaps;
   return solve_system(std::move(finer), least_gmres_tolerance(), guess_from(solution));

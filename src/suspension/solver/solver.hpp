@@ -168,10 +168,8 @@ class SuspensionSolver {
     bool operator==(const Effort&) const = default;
   };
   std::vector<Gap> find_open_gaps(const Instant& instant) const;
-  std::shared_ptr<const LinearSystem> assemble(const StokesProblem& problem,
-                                               const Configuration& configuration,
-                                               const std::vector<Gap>& gaps,
-                                               const Discretisation& discretisation) const;
+  LinearSystem assemble(const StokesProblem& problem, const Configuration& configuration,
+                        const std::vector<Gap>& gaps, const Discretisation& discretisation) const;
   Solution prepare(const Instant& instant, const std::vector<Gap>& gaps,
                    const Resolutions& resolutions) const;
   Solution solve_system(Solution prepared, double gmres_tolerance, const DensityGuess& guess) const;

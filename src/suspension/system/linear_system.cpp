@@ -4,6 +4,7 @@
 #include "suspension/system/linear_system.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "double_layer/double_layer.hpp"
 #include "null_space/null_space.hpp"
@@ -135,10 +136,11 @@ LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
                                    const Discretisation& discretisation, double separation) {
   const std::vector<PlacedCurve> placed = near_curves(plan, configuration, discretisation);
   const auto kind = chosen_preconditioner(plan, gaps, discretisation, separation);
-  return {
-      problem, SuspensionOperator(problem, placed, plan),
-      make_preconditioner(kind, plan, scene, problem, configuration, gaps, discretisation, placed),
-      kind == PreconditionerKind::direct};
+  // A preconditioner needs far more memory while it is built than later, so it comes first.
+  LinearMap precondition =
+      make_preconditioner(kind, plan, scene, problem, configuration, gaps, discretisation, placed);
+  return {problem, SuspensionOperator(problem, placed, plan), std::move(precondition),
+          kind == PreconditionerKind::direct};
 }
 
 }  // namespace stokesbook
