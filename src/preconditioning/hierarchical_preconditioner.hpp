@@ -15,10 +15,10 @@ namespace stokesbook {
 struct ReducedGroup;
 struct ReducedLevel;
 
-/// How much a HierarchicalPreconditioner leaves out. The defaults suit random packings with few
-/// contacts.
+/// How much a HierarchicalPreconditioner leaves out. The defaults suit random packings of up to 500
+/// components with few contacts.
 struct HierarchySettings {
-  double tolerance = 0.5;  ///< tau of single components, and of arcs of walls
+  double tolerance = 0.6;  ///< tau of single components, and of arcs of walls
   /// tau of groups of four; that of larger groups falls by 0.6 from level to level, down to 0.06.
   /// Below 0.05 rounding in single precision shows.
   double group_tolerance = 0.24;

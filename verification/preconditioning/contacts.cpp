@@ -347,7 +347,7 @@ Experiment loaded_packings() {
                                                  "fraction 0.65, with gaps of 0.001 and more, take "
                                                  "40 iterations at most.",
                                     .law = AtMost{40.0},
-                                    .reason = "the directions that are left out count by 0.5 and "
+                                    .reason = "the directions that are left out count by 0.6 and "
                                               "less, and distant groups are coupled",
                                     .api = {"stokesbook::HierarchicalPreconditioner"}},
                      .control = Control{"free clusters",

@@ -26,6 +26,7 @@ study::Experiment lines_of_disks();
 study::Experiment containers();
 study::Experiment jammed_packings();
 study::Experiment crystals();
+study::Experiment growth_of_iterations();
 study::Experiment recycling();
 /// @}
 

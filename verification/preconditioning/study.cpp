@@ -16,7 +16,8 @@ study::Study preconditioning_study() {
                           contact_seconds(),   packings(),       loaded_packings(),
                           packing_fractions(), packing_prices(), fraction_prices(),
                           lines_of_disks(),    containers(),     jammed_packings(),
-                          packing_seconds(),   crystals(),       recycling()}};
+                          packing_seconds(),   crystals(),       growth_of_iterations(),
+                          recycling()}};
 }
 
 }  // namespace stokesbook

@@ -6,6 +6,7 @@
 #include "suspension/system/preconditioner.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <map>
 #include <utility>
@@ -235,8 +236,13 @@ HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
                                      const Discretisation& discretisation) {
   const bool is_stiff = pairs_within(touching, inner_gaps(gaps, discretisation), discretisation) >=
                         discretisation.size();
-  if (!is_stiff) return {};
-  return {.tolerance = 0.55, .group_tolerance = 0.33, .reach = 1.5};
+  if (is_stiff) return {.tolerance = 0.55, .group_tolerance = 0.33, .reach = 1.5};
+  // With the same tolerance, iterations would grow with the number of components.
+  constexpr double few = 500.0;
+  const double times = std::max(1.0, static_cast<double>(discretisation.size()) / few);
+  HierarchySettings settings;
+  settings.tolerance /= std::pow(times, 1.0 / 7.0);
+  return settings;
 }
 
 HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& problem,
