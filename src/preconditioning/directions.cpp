@@ -43,15 +43,15 @@ MatrixXf basis_of(double tau, MatrixXf gram) {
   gram.resize(0, 0);  // frees the memory, which matters in the largest groups
   if (rank == 0) return {n, 0};
   const auto range = factor.leftCols(rank);
-  const MatrixXf inner = range.transpose() * range;
-  const MatrixXd doubled = inner.cast<double>();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(doubled);
+  // In double precision, because all libraries share the compiled solver.
+  const MatrixXd inner = MatrixXf(range.transpose() * range).cast<double>();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(inner);
   const Index count = (solver.eigenvalues().array() > bound).count();
   if (count == 0) return {n, 0};
   const MatrixXf vectors = solver.eigenvectors().rightCols(count).cast<float>();
   MatrixXf basis = range * vectors;
   basis.colwise().normalize();
-  // The columns are orthogonal but for rounding errors, which one step of Newton's method squares.
+  // The columns are orthogonal but for rounding errors, which a step of Newton and Schulz squares.
   MatrixXf correction = -0.5F * (basis.transpose() * basis);
   correction.diagonal().array() += 1.5F;
   return basis * correction;

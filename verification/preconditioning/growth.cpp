@@ -31,11 +31,11 @@ double iterations(const Scene& scene) {
 
 /// Leaves out of each disk what is left out in small packings.
 double iterations_at_one_tolerance(const Scene& scene) {
-  test::Discretised packing(test::with_preconditioner(scene, PreconditionerKind::none));
-  packing.discrete.precondition = hierarchical_preconditioner(
-      packing.discrete.problem, packing.configuration, packing.discretisation,
-      placed_schemes(packing.configuration, packing.discretisation));
-  return iterations_of(packing.discrete);
+  test::Discretised start(test::with_preconditioner(scene, PreconditionerKind::none));
+  start.discrete.precondition =
+      hierarchical_preconditioner(start.discrete.problem, start.configuration, start.discretisation,
+                                  placed_schemes(start.configuration, start.discretisation));
+  return iterations_of(start.discrete);
 }
 
 double mean_of_500() {
@@ -46,13 +46,13 @@ double mean_of_500() {
 }
 
 Measure growth(const std::vector<int>& counts,
-               const std::function<double(const Scene&)>& iterations) {
+               const std::function<double(const Scene&)>& iterations_for) {
   return [=](Size) {
     static const double mean = mean_of_500();
     std::vector<Measurement> measurements;
     for (const int count : counts) {
       measurements.push_back(
-          {.x = static_cast<double>(count), .error = iterations(packing(count, 1)) / mean});
+          {.x = static_cast<double>(count), .error = iterations_for(packing(count, 1)) / mean});
     }
     return measurements;
   };

@@ -176,13 +176,9 @@ Discretised::Discretised(const Scene& scene)
 
 Discretised::Discretised(const Scene& scene, ClusterForm form)
     : Discretised(with_preconditioner(scene, PreconditionerKind::none)) {
-  std::vector<PlacedCurve> placed;
-  for (std::size_t k = 0; k < discretisation.size(); ++k) {
-    const auto [position, orientation] = configuration[k];
-    placed.push_back({discretisation[k]->cauchy, position, orientation});
-  }
   discrete.precondition =
-      cluster_preconditioner(discrete.problem, configuration, discretisation, placed, form);
+      cluster_preconditioner(discrete.problem, configuration, discretisation,
+                             placed_cauchy_schemes(configuration, discretisation), form);
 }
 
 }  // namespace stokesbook::test
