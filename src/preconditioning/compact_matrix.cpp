@@ -25,6 +25,10 @@ CompactMatrix::CompactMatrix(const MatrixXf& matrix)
   }
 }
 
+MatrixXf CompactMatrix::unpacked() const {
+  return numbers_.cast<float>() * units_.asDiagonal();
+}
+
 VectorXf CompactMatrix::times(const Eigen::Ref<const VectorXf>& v) const {
   VectorXf result = VectorXf::Zero(rows());
   float* sum = result.data();

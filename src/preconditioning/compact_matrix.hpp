@@ -22,6 +22,9 @@ class CompactMatrix {
   Eigen::Index cols() const { return numbers_.cols(); }  ///< returns the number of columns
   Eigen::Index size() const { return numbers_.size(); }  ///< returns how many numbers there are
 
+  /// Returns the rounded numbers in single precision.
+  Eigen::MatrixXf unpacked() const;
+
   /// Multiplies the matrix by a vector.
   Eigen::VectorXf times(const Eigen::Ref<const Eigen::VectorXf>& v) const;
 

@@ -160,9 +160,8 @@ ReducedLevel reduce_groups(const std::vector<Box>& groups, std::vector<ReducedGr
   const auto near = near_groups(groups, settings.reach);
   const Index count = std::ssize(groups);
   ReducedLevel result(groups.size());
-  std::vector<MatrixXf>& bases = result.bases;
-  std::vector<MatrixXf> solved(groups.size());  // T^{-1} Q
-  bool is_regular = true;                       // an exception must not leave a parallel loop
+  std::vector<MatrixXf> bases(groups.size()), solved(groups.size());  // Q, T^{-1} Q
+  bool is_regular = true;  // an exception must not leave a parallel loop
   const auto trim_after = [&](Index group) {
     if ((group + 1) % std::max<Index>(1, count / 8) == 0) return_freed_memory(settings.is_large);
   };
@@ -212,12 +211,14 @@ ReducedLevel reduce_groups(const std::vector<Box>& groups, std::vector<ReducedGr
                           {}};
     trim_after(a);
   }
+  result.bases = rounded(std::move(bases), settings.is_large);
 #pragma omp parallel for schedule(dynamic)
   for (Index a = 0; a < count; ++a) {
     const auto own = static_cast<std::size_t>(a);
+    const MatrixXf basis = result.bases[own].unpacked();
     for (const Index b : near[own]) {
       const MatrixXf coupled = level.coupled(a, b, solved[static_cast<std::size_t>(b)]);
-      result.groups[own].couplings.push_back(bases[own].transpose() * coupled);
+      result.groups[own].couplings.push_back(basis.transpose() * coupled);
     }
     for (Index child = groups[own].first_child; child < groups[own].last_child; ++child) {
       std::vector<MatrixXf>().swap(children[static_cast<std::size_t>(child)].couplings);
@@ -231,6 +232,16 @@ MatrixXf coupled_system(const std::vector<ReducedGroup>& groups, const FarField&
   Box all;
   all.last_child = std::ssize(groups);
   return Level({all}, groups, far_field).matrix(0);
+}
+
+std::vector<CompactMatrix> rounded(std::vector<MatrixXf>&& matrices, bool is_large) {
+  std::vector<CompactMatrix> compact;
+  for (MatrixXf& matrix : matrices) {
+    compact.emplace_back(matrix);
+    matrix.resize(0, 0);
+  }
+  return_freed_memory(is_large);
+  return compact;
 }
 
 void return_freed_memory([[maybe_unused]] bool is_large) {

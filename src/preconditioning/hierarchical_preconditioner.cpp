@@ -95,11 +95,10 @@ std::vector<ReducedGroup> HierarchicalPreconditioner::keep(ReducedLevel level) {
   Index first = 0, direction = 0;
   levels_.emplace_back();
   for (std::size_t a = 0; a < level.bases.size(); ++a) {
-    const MatrixXf& basis = level.bases[a];
     levels_.back().push_back(
-        {first, direction, CompactMatrix(basis), std::move(level.inverses[a])});
-    first += basis.rows();
-    direction += basis.cols();
+        {first, direction, std::move(level.bases[a]), std::move(level.inverses[a])});
+    first += levels_.back().back().basis.rows();
+    direction += levels_.back().back().basis.cols();
   }
   return std::move(level.groups);
 }

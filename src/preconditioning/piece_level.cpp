@@ -160,7 +160,7 @@ ReducedLevel reduce_pieces(const StokesProblem& problem, const std::vector<Bound
   const NearBlocks near_blocks(of_bodies, pieces, layer, near);
   const Index count = std::ssize(pieces);
   ReducedLevel result(pieces.size());
-  std::vector<MatrixXf>& bases = result.bases;
+  std::vector<MatrixXf> bases(pieces.size());   // Q
   std::vector<MatrixXf> blocks(pieces.size());  // B A_0^{-1}, unless the problem is large
   std::vector<MatrixXf> sent(pieces.size());    // its product with Q
   // First the directions V that other pieces feel.
@@ -204,12 +204,14 @@ ReducedLevel reduce_pieces(const StokesProblem& problem, const std::vector<Bound
     group.outgoing *= bases[own];
     group.incoming = bases[own].transpose() * group.incoming;
   }
+  result.bases = rounded(std::move(bases), settings.is_large);
 #pragma omp parallel for schedule(dynamic)
   for (Index a = 0; a < count; ++a) {
     const auto own = static_cast<std::size_t>(a);
+    const MatrixXf basis = result.bases[own].unpacked();
     for (const Index b : near[own]) {
       const auto& coupled = sent[static_cast<std::size_t>(b)](near_blocks.rows(a, b), Eigen::all);
-      result.groups[own].couplings.push_back(bases[own].transpose() * coupled);
+      result.groups[own].couplings.push_back(basis.transpose() * coupled);
     }
   }
   return result;

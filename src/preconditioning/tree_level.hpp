@@ -30,10 +30,10 @@ struct ReducedGroup {
 /// The groups of one level.
 struct ReducedLevel {
   /// Makes room for a number of groups.
-  explicit ReducedLevel(std::size_t count) : groups(count), bases(count), inverses(count) {}
+  explicit ReducedLevel(std::size_t count) : groups(count), inverses(count) {}
 
   std::vector<ReducedGroup> groups;     ///< without their interiors
-  std::vector<Eigen::MatrixXf> bases;   ///< Q of each group
+  std::vector<CompactMatrix> bases;     ///< Q of each group
   std::vector<CompactMatrix> inverses;  ///< \f$ T^{-1} \f$; empty where it is the identity
 };
 
@@ -64,6 +64,11 @@ ReducedLevel reduce_groups(const std::vector<Box>& groups, std::vector<ReducedGr
 
 /// Assembles the system that couples all groups of a level.
 Eigen::MatrixXf coupled_system(const std::vector<ReducedGroup>& groups, const FarField& far_field);
+
+/// Rounds the matrices of a level one by one, and frees each.
+///
+/// @throws std::domain_error when a number is not finite
+std::vector<CompactMatrix> rounded(std::vector<Eigen::MatrixXf>&& matrices, bool is_large);
 
 /// Returns freed memory of a large tree to the system. The library of C keeps much of it, since
 /// blocks of many sizes come and go. Small trees are built in every time step, and use it again.
