@@ -55,6 +55,18 @@ void keep_named(std::vector<study::Study>& studies, const std::vector<std::strin
   }
 }
 
+/// Keeps the lines with claims, and the studies that contain such a line.
+void keep_claims(std::vector<study::Study>& studies) {
+  for (study::Study& study : studies) {
+    for (study::Experiment& experiment : study.experiments) {
+      std::erase_if(experiment.lines, [](const study::Line& line) { return !line.claim; });
+    }
+    std::erase_if(study.experiments,
+                  [](const study::Experiment& experiment) { return experiment.lines.empty(); });
+  }
+  std::erase_if(studies, [](const study::Study& study) { return study.experiments.empty(); });
+}
+
 std::string origin() {
   const BuildInfo build = build_info();
   std::ostringstream text;
@@ -88,6 +100,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> methods, known_methods, experiments;
   for (const study::Study& study : studies) known_methods.push_back(study.name);
   study::Size size = study::Size::quick;
+  bool only_claims = false;
   std::string directory = "out/study";
   app.add_option("name", methods, "methods to study [all]")->check(CLI::IsMember(known_methods));
   app.add_option("--experiment", experiments,
@@ -98,11 +111,13 @@ int main(int argc, char** argv) {
          "quick: suffices for nearly every claim; full: all claims, with more and harder points")
       ->transform(CLI::CheckedTransformer(std::map<std::string, study::Size>{
           {"quick", study::Size::quick}, {"full", study::Size::full}}));
+  app.add_flag("--claims", only_claims, "only the lines with claims, without those for comparison");
   app.add_option("--out", directory, "directory of the results [out/study]");
   try {
     app.parse(argc, argv);
     std::erase_if(studies, [&](const study::Study& study) { return !named(methods, study.name); });
     keep_named(studies, experiments);
+    if (only_claims) keep_claims(studies);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   }

@@ -78,7 +78,7 @@ Experiment growth_of_iterations() {
                                  .reason = "the more disks there are, the less is left out of each",
                                  .api = {"stokesbook::hierarchy_settings"}},
                   .control = Control{"as much left out as in small packings",
-                                     growth({3000}, iterations_at_one_tolerance)}}}});
+                                     growth({1000, 2000, 3000}, iterations_at_one_tolerance)}}}});
 }
 
 }  // namespace stokesbook::verification::preconditioning
