@@ -191,12 +191,15 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
     return scene;
   };
   BOOST_TEST((chosen(disk_chain(1e-3)) == direct));
+  BOOST_TEST((chosen(disk_hexagon(1, 1e-3)) == hierarchical));  // more nodes
   BOOST_TEST((chosen(disk_hexagon(1, 1e-2)) == hierarchical));  // wider gaps
   BOOST_TEST((chosen(disk_hexagon(1, 1e-1)) == none));
   BOOST_TEST((chosen(disk_hexagon(2, 1e-2)) == hierarchical));
   BOOST_TEST((chosen(disk_hexagon(2, 1e-3)) == clusters));  // a crystal
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.05)) == none));
+  BOOST_TEST((chosen(disk_hexagon(4, 1e-1)) == none));
+  BOOST_TEST((chosen(disk_hexagon(5, 1e-1)) == hierarchical));           // many gaps, though wide
   BOOST_TEST((chosen(in_contact(disk_hexagon(3, 1e-1), 0.1)) == none));  // too many nodes
   Scene two_of_many = disk_hexagon(2, 1.0);
   two_of_many.bodies.push_back(two_of_many.bodies.back());

@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(tolerances_below_which_nothing_is_factorised) {
   Scene pair = two_disks();
   for (const double tolerance : {1e-8, 0.9e-8}) {
     pair.solver.tolerance = tolerance;
-    BOOST_TEST(SuspensionSolver(pair).plan().direct_at_tight_gaps == (tolerance == 1e-8));
+    BOOST_TEST(SuspensionSolver(pair).plan().direct_allowed == (tolerance == 1e-8));
   }
 }
 

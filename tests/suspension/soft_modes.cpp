@@ -62,7 +62,8 @@ BOOST_AUTO_TEST_CASE(nodes_that_turn_a_star_into_a_circle_are_too_few) {
   check_refused(alias, {"body 0", "18 nodes", "n_nodes"});
 }
 
-BOOST_AUTO_TEST_CASE(few_given_nodes_beside_a_neighbour_are_refused) {
+BOOST_AUTO_TEST_CASE(few_given_nodes_beside_a_neighbour_are_refused,
+                     *boost::unit_test::label("full")) {
   check_refused(slender_beside({1.0, 0.0122}, 0.9866, 24, Superellipse{1.0, 0.977, 12},
                                {-2.2881, 1.4167}, 5.0507, 76, 2.13e-3),
                 {"body 0", "24 nodes", "n_nodes"});

@@ -27,6 +27,8 @@ study::Experiment containers();
 study::Experiment jammed_packings();
 study::Experiment crystals();
 study::Experiment growth_of_iterations();
+study::Experiment choices();
+study::Experiment choices_in_contact();
 study::Experiment recycling();
 /// @}
 

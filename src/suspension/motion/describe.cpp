@@ -139,12 +139,12 @@ PlanLine preconditioner_line(const Plan& plan, const Scene& scene, bool only_cir
   const std::string reason = only_circles
                                  ? "own blocks of circles have the eigenvalues -1 and -1/2 only"
                                  : "own blocks of slender and lobed shapes spread the spectrum";
-  if (!plan.direct_at_tight_gaps && !plan.tree_at_tight_gaps) {
+  if (!plan.direct_allowed && !plan.tree_allowed) {
     return {"preconditioner", decision, reason};
   }
-  const char* small = plan.direct_at_tight_gaps ? ", small systems factorised" : "";
-  const char* large = plan.tree_at_tight_gaps ? ", large ones by a tree of groups" : "";
-  return {"preconditioner", decision + "; where gaps are tight" + small + large, reason};
+  const char* small = plan.direct_allowed ? ", small systems factorised" : "";
+  const char* large = plan.tree_allowed ? ", large ones by a tree of groups" : "";
+  return {"preconditioner", decision + "; where gaps are tight or many" + small + large, reason};
 }
 
 PlanLine gmres_line(const Plan& plan, const SolverSettings& solver) {

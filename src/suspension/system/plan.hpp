@@ -13,10 +13,10 @@ namespace stokesbook {
 struct Plan {
   bool null_space_fix = false;                                   ///< a wall encloses the fluid
   bool near_correction = false;                                  ///< components may come close
-  PreconditionerKind preconditioner = PreconditionerKind::none;  ///< if no gaps are tight
-  bool direct_at_tight_gaps = false;  ///< factorise small systems where gaps are tight
-  bool tree_at_tight_gaps = false;    ///< precondition by a tree of groups where gaps are tight
-  double gmres_tolerance = 0.0;       ///< relative residual
+  PreconditionerKind preconditioner = PreconditionerKind::none;  ///< where gaps are wide and few
+  bool direct_allowed = false;                                   ///< where direct_pays()
+  bool tree_allowed = false;                                     ///< where tree_pays()
+  double gmres_tolerance = 0.0;                                  ///< relative residual
   double near_tolerance = 0.0;  ///< tolerance of the near corrections, relative to the density
   double sum_tolerance = 0.0;   ///< tolerance of fast sums, relative in the 2-norm
   Summation summation = Summation::automatic;  ///< the choice of the scene

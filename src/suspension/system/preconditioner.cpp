@@ -136,17 +136,19 @@ std::vector<BlockDiagonalPreconditioner::Member> components_alone(
 bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
                  const Discretisation& discretisation, double separation) {
   constexpr Index most_nodes = 1000, most_nodes_a_contact = 400;
-  // Gaps, over the smaller radius of gyration, that slow GMRES down so much that a factorisation
-  // pays; gaps, over the separation, of pairs that a step may press together.
-  const double tight = plan.tree_at_tight_gaps ? 0.003 : 0.02;
-  constexpr double in_contact = 1.1;
+  // A tree of groups takes less time for more nodes than this. Where there is one, only tighter
+  // gaps, over the smaller radius of gyration, slow GMRES down so much that a factorisation pays.
+  const Index most_nodes_at_gaps = plan.tree_allowed ? 400 : most_nodes;
+  const double tight = plan.tree_allowed ? 0.003 : 0.02;
+  constexpr double in_contact = 1.1;  // gaps of pairs that a step may press together / separation
   Index nodes = 0;
   for (const auto& discretised : discretisation) nodes += discretised->curve.size();
   if (nodes > most_nodes) return false;
   const auto contacts = std::ranges::count_if(
       gaps, [&](const Gap& gap) { return gap.points.gap < in_contact * separation; });
   return nodes <= most_nodes_a_contact * contacts ||
-         3 * pairs_within(tight, gaps, discretisation) >= discretisation.size();
+         (nodes <= most_nodes_at_gaps &&
+          3 * pairs_within(tight, gaps, discretisation) >= discretisation.size());
 }
 
 bool tree_pays(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
@@ -155,6 +157,9 @@ bool tree_pays(const std::vector<Gap>& gaps, const Discretisation& discretisatio
   // there is one for this number of components.
   constexpr double tight = 0.005, narrow = 0.02;
   constexpr std::size_t components_a_tight_gap = 60, components_a_narrow_gap = 15;
+  // Many wide gaps between many components do so, too.
+  constexpr double wide = 0.5;
+  constexpr std::size_t many = 15'000;
   if (std::ranges::any_of(discretisation, [](const auto& discretised) {
         return is_inner(discretised) && discretised->curve.size() > most_nodes;
       })) {
@@ -163,7 +168,8 @@ bool tree_pays(const std::vector<Gap>& gaps, const Discretisation& discretisatio
   const std::vector<Gap> inner = inner_gaps(gaps, discretisation);
   const std::size_t count = discretisation.size();
   return components_a_tight_gap * pairs_within(tight, inner, discretisation) >= count ||
-         components_a_narrow_gap * pairs_within(narrow, inner, discretisation) >= count;
+         components_a_narrow_gap * pairs_within(narrow, inner, discretisation) >= count ||
+         count * pairs_within(wide, inner, discretisation) >= many;
 }
 
 bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
@@ -175,10 +181,10 @@ bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisati
 
 PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
                                          const Discretisation& discretisation, double separation) {
-  if (plan.direct_at_tight_gaps && direct_pays(plan, gaps, discretisation, separation)) {
+  if (plan.direct_allowed && direct_pays(plan, gaps, discretisation, separation)) {
     return PreconditionerKind::direct;
   }
-  if (plan.tree_at_tight_gaps && tree_pays(gaps, discretisation)) {
+  if (plan.tree_allowed && tree_pays(gaps, discretisation)) {
     return is_crystal(gaps, discretisation) ? PreconditionerKind::clusters
                                             : PreconditionerKind::hierarchical;
   }

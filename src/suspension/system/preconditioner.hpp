@@ -17,15 +17,15 @@ namespace stokesbook {
 /// saves: in small systems with many narrow gaps, or with many pairs in contact, since a solve may
 /// be required for the force of each pair (chapter 13, section "When it pays").
 ///
-/// @param  plan        gaps must be narrower where a tree of groups is possible instead
+/// @param  plan        gaps must be narrower, and nodes fewer, where a tree of groups is allowed
 /// @param  gaps        from find_gaps(), here and below
 /// @param  separation  least gap that contact maintains, length; 0: no contact
 bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
                  const Discretisation& discretisation, double separation);
 
-/// Returns whether a tree of groups saves more time than its set-up takes: with several narrow gaps
-/// between inner components, or few very narrow ones, and few nodes on each component, since the
-/// time of the set-up grows as the cube of this number.
+/// Returns whether a tree of groups saves more time than its set-up takes: with many gaps between
+/// inner components, several narrow ones, or few very narrow ones, and few nodes on each component,
+/// since the time of the set-up grows as the cube of this number.
 bool tree_pays(const std::vector<Gap>& gaps, const Discretisation& discretisation);
 
 /// Returns whether components have the stiff network of contacts of a crystal: five gaps below 0.05
