@@ -199,10 +199,10 @@ ErrorEstimate SuspensionSolver::estimate_on_finer_nodes(const LinearSystem& disc
                                                         const Solution& solution) const {
   if (solution.velocity_scale == 0.0) return {};
   const Discretisation finer = discretise(finer_than(solution));
-  const LinearSystem fine = unpreconditioned_system(plan_, loaded_problem(scene_, solution, finer),
-                                                    solution.instant.configuration, finer);
+  LinearSystem fine = unpreconditioned_system(plan_, loaded_problem(scene_, solution, finer),
+                                              solution.instant.configuration, finer);
   try {
-    return estimate_error(discrete, solution.gmres, fine, solution.velocity_scale);
+    return estimate_error(discrete, solution.gmres, std::move(fine), solution.velocity_scale);
   } catch (const SolverError&) {
     // Rounding errors exceed the correction: the error is unknown.
     return {std::numeric_limits<double>::infinity(), 0};

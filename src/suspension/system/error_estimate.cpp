@@ -90,7 +90,7 @@ std::optional<double> relative_change(const StokesProblem& problem, const Comple
 }
 
 ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solution,
-                             const LinearSystem& fine, double scale) {
+                             LinearSystem fine, double scale) {
   const Closure& closure = fine.system.closure();
   const ComplexVector density = deinterleaved(solution.solution);
   // r = b - A eta on the finer nodes, then A eta' = r for the correction eta'.
@@ -98,9 +98,9 @@ ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solu
   const ComplexVector rhs = fine.system.right_hand_side();
   const ComplexVector residual = rhs - fine.system(interpolated);
   const double tolerance = correction_tolerance(residual.norm() / rhs.norm(), solution.residual);
+  fine.precondition = refined_preconditioner(coarse, fine);
   const GmresResult correction =
-      solve({fine.problem, fine.system, refined_preconditioner(coarse, fine)}, residual,
-            {tolerance, static_cast<int>(2 * residual.size())});
+      solve(fine, residual, {tolerance, static_cast<int>(2 * residual.size())});
   const ComplexVector change = deinterleaved(correction.solution);
   const double moved = relative_change(fine.problem, coarse.system.closure().complete(density),
                                        closure.complete(interpolated + change), scale)

@@ -36,14 +36,14 @@ struct ErrorEstimate {
 /// which contributes to the residual.
 /// @param  coarse  the system that was solved; its preconditioner is also used for the fine one
 /// @param  fine    the same problem with about a quarter more nodes, equidistant in the same
-///                 parameter of each component; no preconditioner is required
+///                 parameter of each component; its preconditioner is replaced
 /// @param  scale   of velocities, > 0, length / time
 /// @throws SolverError as solve() does
 /// @par Accuracy  within a factor 10 of the error in 95 of 100 scenes, @ref claim_12_1; never less
 /// than a thirtieth of the error, @ref claim_12_2
 /// @par Cost      about as many iterations of GMRES as the solution took, with a quarter more nodes
 ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solution,
-                             const LinearSystem& fine, double scale);
+                             LinearSystem fine, double scale);
 
 /// An error estimate from the Fourier modes of a computed density.
 struct TailEstimate {

@@ -57,7 +57,8 @@ std::vector<PlacedCurve> placed_schemes(const Configuration& configuration,
 }
 
 SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
-                                       const std::vector<PlacedCurve>& placed, const Plan& plan)
+                                       const std::vector<PlacedCurve>& placed, const Plan& plan,
+                                       NearStorage near_storage)
     : curves_(curves_of(problem)),
       offsets_(node_offsets(problem)),
       closure_(problem),
@@ -67,7 +68,8 @@ SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
   }
   if (!placed.empty()) {
     const auto* fast = std::get_if<FastSum>(&sum_);
-    near_.emplace(placed, all_nodes(curves_), Targets::own_nodes, NearSettings{plan.near_tolerance},
+    near_.emplace(placed, all_nodes(curves_), Targets::own_nodes,
+                  NearSettings{plan.near_tolerance, near_storage},
                   fast != nullptr ? fast->near_images() : std::vector<Complex>{});
   }
 }
@@ -126,8 +128,8 @@ GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
 LinearSystem unpreconditioned_system(const Plan& plan, const StokesProblem& problem,
                                      const Configuration& configuration,
                                      const Discretisation& discretisation) {
-  return {problem,
-          SuspensionOperator(problem, near_curves(plan, configuration, discretisation), plan)};
+  return {problem, SuspensionOperator(problem, near_curves(plan, configuration, discretisation),
+                                      plan, NearStorage::factored)};
 }
 
 LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,

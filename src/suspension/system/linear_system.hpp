@@ -31,11 +31,12 @@ class SuspensionOperator {
  public:
   /// Plans sum, near correction and closure of one configuration.
   ///
-  /// @param  problem  n nodes in all
-  /// @param  placed   curves of the components for near corrections; empty: none
+  /// @param  problem       n nodes in all
+  /// @param  placed        curves of the components for near corrections; empty: none
+  /// @param  near_storage  what near corrections store
   /// @throws std::invalid_argument when Closure rejects the problem
   SuspensionOperator(const StokesProblem& problem, const std::vector<PlacedCurve>& placed,
-                     const Plan& plan);
+                     const Plan& plan, NearStorage near_storage = NearStorage::automatic);
 
   /// Applies the operator to a density at all n nodes.
   /// @par Cost  n^2 kernel evaluations, or O(n) by FastSum; and that of NearCorrection
@@ -81,7 +82,8 @@ struct LinearSystem {
 GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
                   const GmresOptions& options, const ComplexVector& guess = {});
 
-/// Builds the linear system of a problem without a preconditioner.
+/// Builds the linear system of a problem without a preconditioner, for a few products. The near
+/// corrections of many products would take most of the memory.
 LinearSystem unpreconditioned_system(const Plan& plan, const StokesProblem& problem,
                                      const Configuration& configuration,
                                      const Discretisation& discretisation);
