@@ -41,7 +41,8 @@ struct HierarchySettings {
 /// multipole expansions.
 /// @par Accuracy  iterations for random packings of disks, @ref claim_13_11, and in
 /// containers, @ref claim_13_13
-/// @par Not for   crystals, whose contacts form a stiff network: clusters take fewer iterations
+/// @par Not for   crystals with tight contacts, which form a stiff network: clusters take far fewer
+/// iterations
 class HierarchicalPreconditioner {
  public:
   /// Eliminates all components. An enclosing wall is cut into arcs, which are eliminated like

@@ -161,10 +161,12 @@ BOOST_AUTO_TEST_CASE(crystals_are_told_from_crowds) {
     return is_crystal(start.solver.gaps(start.configuration), start.discretisation);
   };
   BOOST_TEST(!is_one(disk_packing(200)));
-  BOOST_TEST(!is_one(disk_hexagon(2, 1e-2, 1e-3)));  // 42 contacts of 19 disks
-  BOOST_TEST(is_one(disk_hexagon(2, 1e-3, 1e-3)));   // and they are tight
-  BOOST_TEST(is_one(disk_hexagon(5, 1e-2, 1e-1)));   // 240 contacts of 91 disks
-  BOOST_TEST(!is_one(disk_hexagon(5, 0.1, 1e-1)));   // wide gaps
+  BOOST_TEST(!is_one(disk_hexagon(2, 1e-3, 1e-1)));  // few disks
+  Scene crystal = disk_hexagon(3, 1e-3, 1e-1);       // 90 contacts of 37 disks
+  BOOST_TEST(is_one(crystal));
+  crystal.bodies[0].held = true;
+  BOOST_TEST(!is_one(crystal));
+  BOOST_TEST(!is_one(disk_hexagon(3, 1e-2, 1e-1)));  // wider gaps
 }
 
 BOOST_AUTO_TEST_CASE(neighbours_are_mutual_and_leave_enclosing_walls_out) {
@@ -195,11 +197,12 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   BOOST_TEST((chosen(disk_hexagon(1, 1e-2)) == hierarchical));  // wider gaps
   BOOST_TEST((chosen(disk_hexagon(1, 1e-1)) == none));
   BOOST_TEST((chosen(disk_hexagon(2, 1e-2)) == hierarchical));
-  BOOST_TEST((chosen(disk_hexagon(2, 1e-3)) == clusters));  // a crystal
+  BOOST_TEST((chosen(disk_hexagon(2, 1e-3)) == hierarchical));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.05)) == none));
-  BOOST_TEST((chosen(disk_hexagon(4, 1e-1)) == none));
-  BOOST_TEST((chosen(disk_hexagon(5, 1e-1)) == hierarchical));           // many gaps, though wide
+  BOOST_TEST((chosen(disk_hexagon(3, 1e-1)) == none));
+  BOOST_TEST((chosen(disk_hexagon(3, 1e-1, 1e-8)) == hierarchical));     // more digits
+  BOOST_TEST((chosen(disk_hexagon(4, 1e-1)) == hierarchical));           // many gaps, though wide
   BOOST_TEST((chosen(in_contact(disk_hexagon(3, 1e-1), 0.1)) == none));  // too many nodes
   Scene two_of_many = disk_hexagon(2, 1.0);
   two_of_many.bodies.push_back(two_of_many.bodies.back());

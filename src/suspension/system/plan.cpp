@@ -41,9 +41,7 @@ Plan make_plan(const Scene& scene) {
   constexpr double least_tolerance_of_direct = 1e-8;
   plan.direct_allowed =
       has_blocks && counts.all() > 1 && solver.tolerance >= least_tolerance_of_direct;
-  // In crystals, the tree is replaced by clusters, with which GMRES may break down if held
-  // components are close to each other (chapter 13).
-  plan.tree_allowed = has_blocks && counts.free > 1 && counts.held + counts.inner == 0;
+  plan.tree_allowed = has_blocks && counts.all() - counts.outer > 1;
   // A hundredth of the tolerance leaves room for the condition number. Rounding limits all
   // tolerances from below.
   plan.gmres_tolerance = solver.gmres_tol.value_or(std::max(1e-14, 0.01 * solver.tolerance));

@@ -37,6 +37,10 @@ bool is_inner(const std::shared_ptr<const DiscretisedShape>& discretised) {
   return discretised->kind != ComponentKind::enclosing_wall;
 }
 
+bool is_prescribed(const std::shared_ptr<const DiscretisedShape>& discretised) {
+  return discretised->kind == ComponentKind::prescribed;
+}
+
 // Counts the pairs whose gap is less than `reach` times the smaller radius of gyration.
 std::size_t pairs_within(double reach, const std::vector<Gap>& gaps,
                          const Discretisation& discretisation) {
@@ -136,10 +140,12 @@ std::vector<BlockDiagonalPreconditioner::Member> components_alone(
 bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
                  const Discretisation& discretisation, double separation) {
   constexpr Index most_nodes = 1000, most_nodes_a_contact = 400;
-  // A tree of groups takes less time for more nodes than this. Where there is one, only tighter
-  // gaps, over the smaller radius of gyration, slow GMRES down so much that a factorisation pays.
-  const Index most_nodes_at_gaps = plan.tree_allowed ? 400 : most_nodes;
-  const double tight = plan.tree_allowed ? 0.003 : 0.02;
+  // A tree of groups of free bodies takes less time for more nodes than this. Where there is one,
+  // only tighter gaps, over the smaller radius of gyration, slow GMRES down so much that a
+  // factorisation pays.
+  const bool has_tree = plan.tree_allowed && std::ranges::none_of(discretisation, is_prescribed);
+  const Index most_nodes_at_gaps = has_tree ? 400 : most_nodes;
+  const double tight = has_tree ? 0.003 : 0.02;
   constexpr double in_contact = 1.1;  // gaps of pairs that a step may press together / separation
   Index nodes = 0;
   for (const auto& discretised : discretisation) nodes += discretised->curve.size();
@@ -151,15 +157,17 @@ bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
           3 * pairs_within(tight, gaps, discretisation) >= discretisation.size());
 }
 
-bool tree_pays(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
+bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
+               const Discretisation& discretisation) {
   constexpr Index most_nodes = 256;
   // Gaps, over the smaller radius of gyration, that slow GMRES down so much that a tree pays, if
   // there is one for this number of components.
-  constexpr double tight = 0.005, narrow = 0.02;
-  constexpr std::size_t components_a_tight_gap = 60, components_a_narrow_gap = 15;
-  // Many wide gaps between many components do so, too.
-  constexpr double wide = 0.5;
-  constexpr std::size_t many = 15'000;
+  constexpr double tight = 0.005, narrow = 0.02, close = 0.05;
+  constexpr std::size_t components_a_tight_gap = 60, components_a_narrow_gap = 15,
+                        components_a_close_gap = 6;
+  // Many wide gaps between many components do so, too. The number of iterations and the time of
+  // each grow with the number of digits.
+  constexpr double wide = 0.5, many = 245e3;
   if (std::ranges::any_of(discretisation, [](const auto& discretised) {
         return is_inner(discretised) && discretised->curve.size() > most_nodes;
       })) {
@@ -167,16 +175,20 @@ bool tree_pays(const std::vector<Gap>& gaps, const Discretisation& discretisatio
   }
   const std::vector<Gap> inner = inner_gaps(gaps, discretisation);
   const std::size_t count = discretisation.size();
+  const double digits = -std::log10(plan.gmres_tolerance);
   return components_a_tight_gap * pairs_within(tight, inner, discretisation) >= count ||
          components_a_narrow_gap * pairs_within(narrow, inner, discretisation) >= count ||
-         count * pairs_within(wide, inner, discretisation) >= many;
+         components_a_close_gap * pairs_within(close, inner, discretisation) >= count ||
+         digits * digits * static_cast<double>(count * pairs_within(wide, inner, discretisation)) >=
+             many;
 }
 
 bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
   constexpr double tight = 0.005;  // gap, over the smaller radius of gyration
-  const std::vector<Gap> inner = inner_gaps(gaps, discretisation);
-  return 2 * pairs_within(touching, inner, discretisation) >= 5 * discretisation.size() ||
-         pairs_within(tight, inner, discretisation) >= 2 * discretisation.size();
+  constexpr std::size_t most_in_tree = 30;
+  const std::size_t count = discretisation.size();
+  return count > most_in_tree && std::ranges::none_of(discretisation, is_prescribed) &&
+         pairs_within(tight, inner_gaps(gaps, discretisation), discretisation) >= 2 * count;
 }
 
 PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
@@ -184,7 +196,7 @@ PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap
   if (plan.direct_allowed && direct_pays(plan, gaps, discretisation, separation)) {
     return PreconditionerKind::direct;
   }
-  if (plan.tree_allowed && tree_pays(gaps, discretisation)) {
+  if (plan.tree_allowed && tree_pays(plan, gaps, discretisation)) {
     return is_crystal(gaps, discretisation) ? PreconditionerKind::clusters
                                             : PreconditionerKind::hierarchical;
   }

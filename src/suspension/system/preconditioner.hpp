@@ -17,7 +17,8 @@ namespace stokesbook {
 /// saves: in small systems with many narrow gaps, or with many pairs in contact, since a solve may
 /// be required for the force of each pair (chapter 13, section "When it pays").
 ///
-/// @param  plan        gaps must be narrower, and nodes fewer, where a tree of groups is allowed
+/// @param  plan        gaps must be narrower, and nodes fewer, where a tree of groups of free bodies
+///                     is allowed
 /// @param  gaps        from find_gaps(), here and below
 /// @param  separation  least gap that contact maintains, length; 0: no contact
 bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
@@ -26,10 +27,13 @@ bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
 /// Returns whether a tree of groups saves more time than its set-up takes: with many gaps between
 /// inner components, several narrow ones, or few very narrow ones, and few nodes on each component,
 /// since the time of the set-up grows as the cube of this number.
-bool tree_pays(const std::vector<Gap>& gaps, const Discretisation& discretisation);
+///
+/// @param  plan  fewer gaps suffice the smaller its gmres_tolerance is
+bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
+               const Discretisation& discretisation);
 
-/// Returns whether components have the stiff network of contacts of a crystal: five gaps below 0.05
-/// of the smaller radius of gyration for two components, or two gaps below 0.005 for each.
+/// Returns whether components have a network of contacts that is too stiff for a tree of groups: two
+/// gaps below 0.005 of the smaller radius of gyration for each of more than 30 components, all free.
 bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisation);
 
 /// Chooses the preconditioner of a configuration: none, block_diagonal, hierarchical, clusters (in
