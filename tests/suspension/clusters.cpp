@@ -210,7 +210,6 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   two_of_many.bodies.push_back(two_of_many.bodies.back());
   two_of_many.bodies.back().position += 2.05;
   BOOST_TEST((chosen(in_contact(two_of_many, 0.05)) == none));  // too few pairs
-  BOOST_TEST((chosen(disk_packing(20)) == none));
   BOOST_TEST((chosen(disk_packing(150)) == hierarchical));
   BOOST_TEST((chosen(disk_hexagon(7, 1e-3, 1e-1)) == clusters));  // 169 disks, a crystal
   BOOST_TEST((chosen(mixed({outer_wall(Circle{6.0}, automatic_nodes)})) == direct));

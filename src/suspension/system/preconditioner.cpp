@@ -162,9 +162,8 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
   constexpr Index most_nodes = 256;
   // Gaps, over the smaller radius of gyration, that slow GMRES down so much that a tree pays, if
   // there is one for this number of components.
-  constexpr double tight = 0.005, narrow = 0.02, close = 0.05;
-  constexpr std::size_t components_a_tight_gap = 60, components_a_narrow_gap = 15,
-                        components_a_close_gap = 6;
+  constexpr double tight = 0.005, narrow = 0.05;
+  constexpr std::size_t components_a_tight_gap = 60, components_a_narrow_gap = 12;
   // Many wide gaps between many components do so, too. The number of iterations and the time of
   // each grow with the number of digits.
   constexpr double wide = 0.5, many = 245e3;
@@ -178,7 +177,6 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
   const double digits = -std::log10(plan.gmres_tolerance);
   return components_a_tight_gap * pairs_within(tight, inner, discretisation) >= count ||
          components_a_narrow_gap * pairs_within(narrow, inner, discretisation) >= count ||
-         components_a_close_gap * pairs_within(close, inner, discretisation) >= count ||
          digits * digits * static_cast<double>(count * pairs_within(wide, inner, discretisation)) >=
              many;
 }
