@@ -33,6 +33,10 @@ bool named(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::ranges::find(names, name) != names.end();
 }
 
+void drop_empty(std::vector<study::Study>& studies) {
+  std::erase_if(studies, [](const study::Study& study) { return study.experiments.empty(); });
+}
+
 /// Keeps the experiments with these keys, and the studies that contain such an experiment. All
 /// lines of a selected experiment run, even if the quick size would skip them.
 void keep_named(std::vector<study::Study>& studies, const std::vector<std::string>& keys) {
@@ -47,7 +51,7 @@ void keep_named(std::vector<study::Study>& studies, const std::vector<std::strin
       for (study::Line& line : experiment.lines) line.least = study::Size::quick;
     }
   }
-  std::erase_if(studies, [](const study::Study& study) { return study.experiments.empty(); });
+  drop_empty(studies);
   const CLI::IsMember one_of_them(known);
   for (const std::string& key : keys) {
     const std::string error = one_of_them(key);
@@ -64,7 +68,7 @@ void keep_claims(std::vector<study::Study>& studies) {
     std::erase_if(study.experiments,
                   [](const study::Experiment& experiment) { return experiment.lines.empty(); });
   }
-  std::erase_if(studies, [](const study::Study& study) { return study.experiments.empty(); });
+  drop_empty(studies);
 }
 
 std::string origin() {
