@@ -2,6 +2,7 @@
 // is at least three tenths and at most ten times the true error.
 
 #include "scenes.hpp"
+#include "support/recorded_run.hpp"
 #include "support/vectors.hpp"
 #include "suspension/nodes/node_choice.hpp"
 
@@ -48,11 +49,6 @@ Scene random_neighbours(std::mt19937_64& random) {
     if (k > 0) move_to_gap(result, std::polar(1.0, angle), std::pow(10, -2 * uniform(random)));
   }
   return result;
-}
-
-Scene with_nodes(Scene scene, int n_nodes) {
-  for (Body& body : scene.bodies) body.n_nodes = n_nodes;
-  return scene;
 }
 
 // Returns the solution with the fewest nodes, the same number >= at_least for all bodies, for which

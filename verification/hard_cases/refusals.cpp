@@ -4,6 +4,7 @@
 
 #include "hard_case.hpp"
 #include "scene/parse.hpp"
+#include "support/recorded_run.hpp"
 
 namespace stokesbook::verification::hard_cases {
 
@@ -11,11 +12,6 @@ namespace {
 
 Finding refused(const Scene& scene) {
   return solve(scene, [](const Solution&) { return unknown; });
-}
-
-Scene with_nodes(Scene scene, int n_nodes) {
-  for (Body& body : scene.bodies) body.n_nodes = n_nodes;
-  return scene;
 }
 
 Scene in_container(const Body& body) {
@@ -72,7 +68,7 @@ std::vector<HardCase> refusals() {
                           const std::vector<std::string>& words) {
     return HardCase{"12", asked, [=] { return read(text); }, Due::refusal, words};
   };
-  Scene plain = with_nodes(circles_in_extension(0.5, 1e-8), 48);
+  Scene plain = test::with_nodes(circles_in_extension(0.5, 1e-8), 48);
   plain.solver.near_singular = NearSingular::off;
   return {
       solving("12", "bodies that overlap at the start", circles_in_extension(-0.1, 1e-6),
@@ -81,10 +77,11 @@ std::vector<HardCase> refusals() {
               {"body 0 and body 1", "overlap"}),
       solving("12", "a body outside of its container", in_container(body(Circle{1.0}, 7.0)),
               {"body 0 and wall 0", "overlap"}),
-      solving("12", "a gap of 0.01 on 64 nodes", with_nodes(circles_in_extension(0.01, 1e-8), 64),
+      solving("12", "a gap of 0.01 on 64 nodes",
+              test::with_nodes(circles_in_extension(0.01, 1e-8), 64),
               {"body 0 and body 1", "n_nodes"}),
       solving("12", "an ellipse 10:1 on 16 nodes",
-              with_nodes(scene(ShearFlow{1.0}, {body(Ellipse{10.0, 1.0}, 0.0)}, 1e-8), 16),
+              test::with_nodes(scene(ShearFlow{1.0}, {body(Ellipse{10.0, 1.0}, 0.0)}, 1e-8), 16),
               {"body 0", "16 nodes", "n_nodes"}),
       solving("06", "close bodies without near correction", plain, {"near_singular"}),
       solving("05", "three iterations of GMRES where more are needed", few_iterations(),

@@ -94,11 +94,6 @@ Scene with_tolerance(Scene scene, double tolerance) {
   return scene;
 }
 
-Scene with_nodes(Scene scene, int n_nodes) {
-  for (Body& body : scene.bodies) body.n_nodes = n_nodes;
-  return scene;
-}
-
 /// Holds every third body.
 Scene with_pores(Scene scene) {
   for (std::size_t k = 0; k < scene.bodies.size(); k += 3) scene.bodies[k].held = true;

@@ -54,6 +54,12 @@ inline Scene in_contact(const BackgroundFlow& flow, const std::vector<Body>& bod
   return scene;
 }
 
+/// Sets the number of nodes of all bodies.
+inline Scene with_nodes(Scene scene, int n_nodes) {
+  for (Body& body : scene.bodies) body.n_nodes = n_nodes;
+  return scene;
+}
+
 /// Adds the settings of time stepping to a scene.
 inline Scene over(Scene scene, double t_final, double dt,
                   SteppingMethod method = SteppingMethod::euler) {

@@ -82,8 +82,8 @@ struct LinearSystem {
 GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
                   const GmresOptions& options, const ComplexVector& guess = {});
 
-/// Builds the linear system of a problem without a preconditioner, for a few products. The near
-/// corrections of many products would take most of the memory.
+/// Builds the linear system of a problem without a preconditioner, for a few products. Its near
+/// corrections store no rows, which take much memory and pay only in many products.
 LinearSystem unpreconditioned_system(const Plan& plan, const StokesProblem& problem,
                                      const Configuration& configuration,
                                      const Discretisation& discretisation);
