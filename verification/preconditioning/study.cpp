@@ -31,6 +31,7 @@ study::Study preconditioning_study() {
                           packing_seconds(),
                           crystals(),
                           growth_of_iterations(),
+                          judged_packings(),
                           choices(),
                           choices_in_contact(),
                           recycling()}};

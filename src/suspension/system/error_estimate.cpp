@@ -21,14 +21,6 @@ using Eigen::Index;
 
 namespace {
 
-// Returns the GMRES tolerance for the correction, relative to its right-hand side r, for
-// relative = |r| / |b| and iteration = |r_0| / |b|. The tolerance is the lesser of 100 |r| / |b|,
-// because the error of the motions is quadratic in r, and of 0.1 |r_0| / |r|, because an
-// ill-conditioned system hides the residual r_0 of the iteration in its softest modes.
-double correction_tolerance(double relative, double iteration) {
-  return std::clamp(std::min(100.0 * relative, 0.1 * iteration / relative), 1e-8, 0.03);
-}
-
 // Interpolates a density, component by component, from the nodes of one system to the nodes of
 // another.
 ComplexVector transferred(const ComplexVector& density, const LinearSystem& from,
@@ -91,23 +83,51 @@ std::optional<double> relative_change(const StokesProblem& problem, const Comple
 
 ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solution,
                              LinearSystem fine, double scale) {
-  const Closure& closure = fine.system.closure();
-  const ComplexVector density = deinterleaved(solution.solution);
-  // r = b - A eta on the finer nodes, then A eta' = r for the correction eta'.
-  const ComplexVector interpolated = transferred(density, coarse, fine);
-  const ComplexVector rhs = fine.system.right_hand_side();
-  const ComplexVector residual = rhs - fine.system(interpolated);
-  const double tolerance = correction_tolerance(residual.norm() / rhs.norm(), solution.residual);
   fine.precondition = refined_preconditioner(coarse, fine);
-  const GmresResult correction =
-      solve(fine, residual, {tolerance, static_cast<int>(2 * residual.size())});
-  const ComplexVector change = deinterleaved(correction.solution);
-  const double moved = relative_change(fine.problem, coarse.system.closure().complete(density),
-                                       closure.complete(interpolated + change), scale)
-                           .value_or(change.cwiseAbs().maxCoeff() / scale);
+  const auto change = [&](const Completion& from, const Completion& to, const ComplexVector& by) {
+    return relative_change(fine.problem, from, to, scale)
+        .value_or(by.cwiseAbs().maxCoeff() / scale);
+  };
+  const ComplexVector density = deinterleaved(solution.solution);
+  const Completion solved = coarse.system.closure().complete(density);
+  const ComplexVector interpolated = transferred(density, coarse, fine);
+  // r = b - A eta on the finer nodes, then A eta' = r for the correction eta'.
+  const ComplexVector rhs = fine.system.right_hand_side();
+  ComplexVector residual = rhs - fine.system(interpolated);
+  const double first = residual.norm(), least = 1e-8 * first;
+  // An ill-conditioned system hides the residual of the iteration in its softest modes. The
+  // correction has to find this residual, too.
+  const double enough = std::clamp(0.3 * solution.residual * rhs.norm(), least, first);
+  // GMRES starts anew for each part of the correction, until the last part is a small one. It stores
+  // no larger basis than that of the solution, unless it hardly converges with so few vectors.
+  ErrorEstimate estimate{0.0, 1};
+  int longest = std::max(16, solution.iterations);
+  ComplexVector correction = ComplexVector::Zero(residual.size());
+  Completion corrected = solved;
+  double reduction = 0.03, all = 0.0;
+  while (true) {
+    const double norm_before = residual.norm();
+    const Completion before = corrected;
+    const GmresResult result = solve(fine, residual, {reduction, longest});
+    const ComplexVector part = deinterleaved(result.solution);
+    correction += part;
+    residual -= fine.system(part);
+    estimate.matvecs += result.applications + 1;
+    corrected = fine.system.closure().complete(interpolated + correction);
+    all = change(solved, corrected, correction);
+    const double norm = residual.norm();
+    const bool is_small = result.converged && change(before, corrected, part) <= 0.25 * all;
+    if (norm <= least || (norm <= enough && is_small)) break;
+    if (norm > 0.5 * norm_before) {
+      if (result.converged || longest >= 2 * residual.size()) break;  // by rounding errors
+      longest *= 2;
+    }
+    reduction = std::min(0.3, enough / norm);
+  }
   // If the densities are hardly resolved, the solution on finer nodes has an error, too.
   constexpr double safety = 2.0;
-  return {safety * moved, correction.iterations + 2};
+  estimate.error = safety * all;
+  return estimate;
 }
 
 TailEstimate tail_estimate(const ComplexVector& density, double scale) {
