@@ -2,11 +2,11 @@
 // compares the iterations in a tree of groups with the mean for 500 disks, and estimates errors.
 #include <ctime>
 #include <functional>
-#include <map>
 #include <utility>
 #include <vector>
 
 #include "experiments.hpp"
+#include "support/once.hpp"
 #include "support/touching.hpp"
 
 namespace stokesbook::verification::preconditioning {
@@ -37,10 +37,8 @@ PackingSolve solve_packing(const Scene& scene) {
 }
 
 const PackingSolve& solved(int count, unsigned seed = 1) {
-  static std::map<std::pair<int, unsigned>, PackingSolve> solves;
-  const auto [entry, is_new] = solves.try_emplace({count, seed});
-  if (is_new) entry->second = solve_packing(packing(count, seed));
-  return entry->second;
+  static test::Once<std::pair<int, unsigned>, PackingSolve> solves;
+  return solves({count, seed}, [=] { return solve_packing(packing(count, seed)); });
 }
 
 /// Leaves out of each disk what is left out in small packings.
