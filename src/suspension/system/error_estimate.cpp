@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include "double_layer/double_layer.hpp"
 #include "suspension/bodies/components.hpp"
@@ -50,6 +51,39 @@ LinearMap refined_preconditioner(const LinearSystem& coarse, const LinearSystem&
   };
 }
 
+// Returns the tolerance for the correction, relative to its right-hand side r. The correction leaves
+// a tenth of the residual r_0 of the iteration, because an ill-conditioned system hides r_0 in its
+// softest modes.
+double correction_tolerance(double residual, double rhs, const GmresResult& solution) {
+  return std::clamp(0.1 * solution.residual * rhs / residual, 1e-8, 0.03);
+}
+
+// Solves a system, and returns the solution and the number of products. GMRES starts anew before its
+// bases exceed some 130 MB each.
+std::pair<ComplexVector, int> solve_in_parts(const LinearSystem& system, ComplexVector residual,
+                                             double tolerance) {
+  constexpr Index most_numbers = 1 << 24;
+  const Index size = 2 * residual.size();
+  Index longest = std::max<Index>(16, most_numbers / size);
+  ComplexVector solution = ComplexVector::Zero(residual.size());
+  int matvecs = 0;
+  double norm = residual.norm(), reduction = tolerance;
+  const double enough = tolerance * norm;
+  while (true) {
+    const GmresResult result =
+        solve(system, residual, {reduction, static_cast<int>(std::min(longest, size))});
+    const ComplexVector part = deinterleaved(result.solution);
+    solution += part;
+    matvecs += result.applications;
+    if (result.converged || longest >= size) return {solution, matvecs};
+    residual -= system.system(part);
+    ++matvecs;
+    const double before = std::exchange(norm, residual.norm());
+    if (norm > 0.5 * before) longest *= 2;
+    reduction = enough / norm;
+  }
+}
+
 }  // namespace
 
 std::optional<double> relative_change(const StokesProblem& problem, const Completion& p,
@@ -84,50 +118,20 @@ std::optional<double> relative_change(const StokesProblem& problem, const Comple
 ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solution,
                              LinearSystem fine, double scale) {
   fine.precondition = refined_preconditioner(coarse, fine);
-  const auto change = [&](const Completion& from, const Completion& to, const ComplexVector& by) {
-    return relative_change(fine.problem, from, to, scale)
-        .value_or(by.cwiseAbs().maxCoeff() / scale);
-  };
   const ComplexVector density = deinterleaved(solution.solution);
-  const Completion solved = coarse.system.closure().complete(density);
-  const ComplexVector interpolated = transferred(density, coarse, fine);
   // r = b - A eta on the finer nodes, then A eta' = r for the correction eta'.
+  const ComplexVector interpolated = transferred(density, coarse, fine);
   const ComplexVector rhs = fine.system.right_hand_side();
-  ComplexVector residual = rhs - fine.system(interpolated);
-  const double first = residual.norm(), least = 1e-8 * first;
-  // An ill-conditioned system hides the residual of the iteration in its softest modes. The
-  // correction has to find this residual, too.
-  const double enough = std::clamp(0.3 * solution.residual * rhs.norm(), least, first);
-  // GMRES starts anew for each part of the correction, until the last part is a small one. It stores
-  // no larger basis than that of the solution, unless it hardly converges with so few vectors.
-  ErrorEstimate estimate{0.0, 1};
-  int longest = std::max(16, solution.iterations);
-  ComplexVector correction = ComplexVector::Zero(residual.size());
-  Completion corrected = solved;
-  double reduction = 0.03, all = 0.0;
-  while (true) {
-    const double norm_before = residual.norm();
-    const Completion before = corrected;
-    const GmresResult result = solve(fine, residual, {reduction, longest});
-    const ComplexVector part = deinterleaved(result.solution);
-    correction += part;
-    residual -= fine.system(part);
-    estimate.matvecs += result.applications + 1;
-    corrected = fine.system.closure().complete(interpolated + correction);
-    all = change(solved, corrected, correction);
-    const double norm = residual.norm();
-    const bool is_small = result.converged && change(before, corrected, part) <= 0.25 * all;
-    if (norm <= least || (norm <= enough && is_small)) break;
-    if (norm > 0.5 * norm_before) {
-      if (result.converged || longest >= 2 * residual.size()) break;  // by rounding errors
-      longest *= 2;
-    }
-    reduction = std::min(0.3, enough / norm);
-  }
+  const ComplexVector residual = rhs - fine.system(interpolated);
+  const auto [correction, matvecs] =
+      solve_in_parts(fine, residual, correction_tolerance(residual.norm(), rhs.norm(), solution));
+  const double moved =
+      relative_change(fine.problem, coarse.system.closure().complete(density),
+                      fine.system.closure().complete(interpolated + correction), scale)
+          .value_or(correction.cwiseAbs().maxCoeff() / scale);
   // If the densities are hardly resolved, the solution on finer nodes has an error, too.
   constexpr double safety = 2.0;
-  estimate.error = safety * all;
-  return estimate;
+  return {safety * moved, matvecs + 1};
 }
 
 TailEstimate tail_estimate(const ComplexVector& density, double scale) {

@@ -30,11 +30,10 @@ struct ErrorEstimate {
 /// Estimates the error of a solution's motions and loads by a correction on finer nodes.
 ///
 /// The density is interpolated to the finer nodes, where it leaves a residual r. The system on the
-/// finer nodes is solved for the correction of r, in parts, for each of which GMRES starts anew. The
-/// last part contributes at most a quarter to the change of motions and loads. It leaves at most
-/// three tenths of the residual of the GMRES iteration, so that the estimate includes the error of
-/// the iteration. The estimate is twice the relative_change() by all parts; if there are neither
-/// motions nor loads, it is twice the largest change of the density over the scale.
+/// finer nodes is solved for the correction of r, which leaves at most a tenth of the residual of the
+/// GMRES iteration, so that the estimate includes the error of the iteration. The estimate is twice
+/// the relative_change() by this correction; if there are neither motions nor loads, it is twice the
+/// largest change of the density over the scale.
 /// @param  coarse  the system that was solved; its preconditioner is also used for the fine one
 /// @param  fine    the same problem with about a quarter more nodes, equidistant in the same
 ///                 parameter of each component; its preconditioner is replaced
@@ -42,8 +41,8 @@ struct ErrorEstimate {
 /// @throws SolverError as solve() does
 /// @par Accuracy  within a factor 10 of the error in 95 of 100 scenes, @ref claim_12_1; never less
 /// than a thirtieth of the error, @ref claim_12_2
-/// @par Cost      a third to twice as many applications as the solution took, with a quarter more
-/// nodes. GMRES stores the basis of one part, in most scenes no larger than that of the solution.
+/// @par Cost      half to twice as many applications as the solution took, with a quarter more nodes.
+/// GMRES starts anew before its bases exceed some 130 MB each.
 ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solution,
                              LinearSystem fine, double scale);
 
