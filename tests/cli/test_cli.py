@@ -605,7 +605,7 @@ class Records(Program):
 
 
 class ShippedScenes(Program):
-    large = {"couette_dense", "couette_random", "crowded_cell"}
+    large = {"couette_dense", "couette_random", "crowded_cell", "vortices"}
 
     def test_every_scene_runs_but_the_large_ones(self):
         self.check_run(large=False)

@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(the_narrower_the_gap_the_slower) {
 // The sweeps of these 48 ellipses diverge: the run stops after the same number of steps, whatever
 // their length, and reports the reason.
 BOOST_AUTO_TEST_CASE(a_crowd_is_refused_whatever_the_step) {
-  constexpr int most = 30;
+  constexpr int most = 16;
   Scene crowd = ellipses_in_vortices(1e-2);
   const auto run = [&](double dt) {
     return recorded_run(over(crowd, most * dt, dt), Refusals::recorded);

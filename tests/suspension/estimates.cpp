@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(what_a_gap_asks_for_does_not_depend_on_the_order_of_its_cur
 }
 
 BOOST_AUTO_TEST_CASE(are_honest) {
-  check_estimates(9);
+  check_estimates(6);
 }
 
 BOOST_AUTO_TEST_CASE(are_honest_in_many_scenes, *boost::unit_test::label("full")) {
