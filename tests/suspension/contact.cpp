@@ -233,15 +233,16 @@ BOOST_AUTO_TEST_CASE(flat_contacts_do_not_rock) {
     std::vector<Body> bodies{pushed(Ellipse{1.0, 0.1}, {0.0, 0.3}, {0.0, -10.0}),
                              pushed(Ellipse{1.0, 0.1}, {0.0, 0.0}, {0.0, 10.0})};
     for (Body& body : bodies) body.n_nodes = nodes;
-    const Scene scene = over(solved_to(in_contact(QuiescentFlow{}, bodies, 0.09), 1e-3), 4.0, 0.1);
+    const Scene scene = over(solved_to(in_contact(QuiescentFlow{}, bodies, 0.09), 3e-4), 4.0, 0.1);
     const RecordedRun run = recorded_run(scene);
     check_contact(scene, run);
     BOOST_TEST(run.resolution.most_nodes[0] <= (nodes == automatic_nodes ? 96 : nodes));
     for (const Frame& frame : run.frames) {
       for (const BodyState& body : frame.bodies) BOOST_TEST(std::abs(body.orientation) < 1e-5);
     }
-    // Each force corrects the errors that the steps before have left in the gap. These errors
-    // change from step to step and do not add up, so that the mean force is the load.
+    // Each force corrects the errors that the steps before have left in the gap. Most of these
+    // errors change from step to step. The mean force is the load, as far as the tolerance of the
+    // solves allows.
     std::vector<Complex> forces;
     for (const Frame& frame : run.frames) {
       if (frame.contacts.empty()) continue;
