@@ -41,7 +41,7 @@ struct ErrorEstimate {
 /// @throws SolverError as solve() does
 /// @par Accuracy  within a factor 10 of the error in 95 of 100 scenes, @ref claim_12_1; never less
 /// than a thirtieth of the error, @ref claim_12_2
-/// @par Cost      half to twice as many applications as the solution took, with a quarter more nodes.
+/// @par Cost      a quarter to twice the applications of the solution, with a quarter more nodes.
 /// GMRES starts anew before its bases exceed some 130 MB each.
 ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solution,
                              LinearSystem fine, double scale);
