@@ -15,7 +15,7 @@ using namespace study;
 
 namespace {
 
-/// What a solve of a packing takes, and its error estimate.
+/// Holds the cost of solving a packing, and the error estimate of the solution.
 struct PackingSolve {
   double iterations;
   double matvecs;
@@ -38,7 +38,10 @@ PackingSolve solve_packing(const Scene& scene) {
 
 const PackingSolve& solved(int count, unsigned seed = 1) {
   static test::Once<std::pair<int, unsigned>, PackingSolve> solves;
-  return solves({count, seed}, [=] { return solve_packing(packing(count, seed)); });
+  return solves({count, seed}, [=] {
+    return solve_packing(
+        test::with_preconditioner(packing(count, seed), PreconditionerKind::hierarchical));
+  });
 }
 
 /// Leaves out of each disk what is left out in small packings.

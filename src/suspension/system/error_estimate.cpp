@@ -58,30 +58,22 @@ double correction_tolerance(double residual, double rhs, const GmresResult& solu
   return std::clamp(0.1 * solution.residual * rhs / residual, 1e-8, 0.03);
 }
 
-// Solves a system, and returns the solution and the number of products. GMRES starts anew before its
-// bases exceed some 130 MB each.
-std::pair<ComplexVector, int> solve_in_parts(const LinearSystem& system, ComplexVector residual,
-                                             double tolerance) {
+// Solves a system, and counts all products. GMRES starts anew before its bases exceed some 130 MB
+// each.
+GmresResult solve_in_parts(const LinearSystem& system, const ComplexVector& rhs, double tolerance) {
   constexpr Index most_numbers = 1 << 24;
-  const Index size = 2 * residual.size();
+  const Index size = 2 * rhs.size();
   Index longest = std::max<Index>(16, most_numbers / size);
-  ComplexVector solution = ComplexVector::Zero(residual.size());
-  int matvecs = 0;
-  double norm = residual.norm(), reduction = tolerance;
-  const double enough = tolerance * norm;
-  while (true) {
-    const GmresResult result =
-        solve(system, residual, {reduction, static_cast<int>(std::min(longest, size))});
-    const ComplexVector part = deinterleaved(result.solution);
-    solution += part;
-    matvecs += result.applications;
-    if (result.converged || longest >= size) return {solution, matvecs};
-    residual -= system.system(part);
-    ++matvecs;
-    const double before = std::exchange(norm, residual.norm());
-    if (norm > 0.5 * before) longest *= 2;
-    reduction = enough / norm;
-  }
+  GmresResult result;
+  result.residual = 1.0;
+  do {
+    const GmresResult before = std::move(result);
+    result = solve(system, rhs, {tolerance, static_cast<int>(std::min(longest, size))},
+                   deinterleaved(before.solution));
+    result.applications += before.applications;
+    if (result.residual > 0.5 * before.residual) longest *= 2;
+  } while (!result.converged && longest < 2 * size);
+  return result;
 }
 
 }  // namespace
@@ -123,15 +115,16 @@ ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solu
   const ComplexVector interpolated = transferred(density, coarse, fine);
   const ComplexVector rhs = fine.system.right_hand_side();
   const ComplexVector residual = rhs - fine.system(interpolated);
-  const auto [correction, matvecs] =
+  const GmresResult result =
       solve_in_parts(fine, residual, correction_tolerance(residual.norm(), rhs.norm(), solution));
+  const ComplexVector correction = deinterleaved(result.solution);
   const double moved =
       relative_change(fine.problem, coarse.system.closure().complete(density),
                       fine.system.closure().complete(interpolated + correction), scale)
           .value_or(correction.cwiseAbs().maxCoeff() / scale);
   // If the densities are hardly resolved, the solution on finer nodes has an error, too.
   constexpr double safety = 2.0;
-  return {safety * moved, matvecs + 1};
+  return {safety * moved, result.applications + 1};
 }
 
 TailEstimate tail_estimate(const ComplexVector& density, double scale) {
