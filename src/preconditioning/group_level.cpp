@@ -2,14 +2,12 @@
 // directions (chapter 13, section "A tree of groups").
 #include <algorithm>
 #include <utility>
-#if __has_include(<malloc.h>)
-#include <malloc.h>
-#endif
 
 #include <Eigen/LU>
 
 #include "preconditioning/component_tree.hpp"
 #include "preconditioning/directions.hpp"
+#include "preconditioning/large_problems.hpp"
 #include "preconditioning/tree_level.hpp"
 #include "trapezoid/require.hpp"
 
@@ -163,7 +161,7 @@ ReducedLevel reduce_groups(const std::vector<Box>& groups, std::vector<ReducedGr
   std::vector<MatrixXf> bases(groups.size()), solved(groups.size());  // Q, T^{-1} Q
   bool is_regular = true;  // an exception must not leave a parallel loop
   const auto trim_after = [&](Index group) {
-    if ((group + 1) % std::max<Index>(1, count / 8) == 0) return_freed_memory(settings.is_large);
+    if ((group + 1) % std::max<Index>(1, count / 16) == 0) return_freed_memory(settings.is_large);
   };
   // First the directions V that other groups feel: B T^{-1} V is all that matters of B T^{-1}.
 #pragma omp parallel for schedule(dynamic) reduction(&& : is_regular)
@@ -197,6 +195,7 @@ ReducedLevel reduce_groups(const std::vector<Box>& groups, std::vector<ReducedGr
     }
     add_far_couplings(level.incoming(groups[own], a), far_field, gram);
     felt[own] = basis_above(settings.tolerance, std::move(gram), bases[own]);
+    trim_after(a);
   }
 #pragma omp parallel for schedule(dynamic)
   for (Index a = 0; a < count; ++a) {
@@ -242,12 +241,6 @@ std::vector<CompactMatrix> rounded(std::vector<MatrixXf>&& matrices, bool is_lar
   }
   return_freed_memory(is_large);
   return compact;
-}
-
-void return_freed_memory([[maybe_unused]] bool is_large) {
-#ifdef __GLIBC__
-  if (is_large) malloc_trim(0);
-#endif
 }
 
 }  // namespace stokesbook

@@ -13,6 +13,7 @@
 #include "preconditioning/boundary_pieces.hpp"
 #include "preconditioning/component_tree.hpp"
 #include "preconditioning/far_field.hpp"
+#include "preconditioning/large_problems.hpp"
 #include "preconditioning/tree_level.hpp"
 
 namespace stokesbook {
@@ -64,7 +65,7 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
   const ComponentTree tree(disks);
   pieces = in_order(std::move(pieces), tree.order);
   const std::vector<Index> offsets = node_offsets(problem);
-  const bool is_large = offsets.back() > 100'000;
+  const bool is_large = stokesbook::is_large(offsets.back());
   std::map<const MatrixXf*, std::shared_ptr<const CompactMatrix>> compact;
   for (const BoundaryPiece& piece : pieces) {
     auto& inverse = compact[piece.inverse.get()];

@@ -70,8 +70,4 @@ Eigen::MatrixXf coupled_system(const std::vector<ReducedGroup>& groups, const Fa
 /// @throws std::domain_error when a number is not finite
 std::vector<CompactMatrix> rounded(std::vector<Eigen::MatrixXf>&& matrices, bool is_large);
 
-/// Returns freed memory of a large tree to the system. The library of C keeps much of it, since
-/// blocks of many sizes come and go. Small trees are built in every time step, and use it again.
-void return_freed_memory(bool is_large);
-
 }  // namespace stokesbook

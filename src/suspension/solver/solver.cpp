@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "double_layer/double_layer.hpp"
+#include "preconditioning/large_problems.hpp"
 #include "suspension/bodies/background_flow.hpp"
 #include "suspension/bodies/components.hpp"
 #include "suspension/solver/density_history.hpp"
@@ -198,6 +199,7 @@ double SuspensionSolver::least_gmres_tolerance() const {
 ErrorEstimate SuspensionSolver::estimate_on_finer_nodes(const LinearSystem& discrete,
                                                         const Solution& solution) const {
   if (solution.velocity_scale == 0.0) return {};
+  return_freed_memory(is_large(solution.density.size()));
   const Discretisation finer = discretise(finer_than(solution));
   LinearSystem fine = unpreconditioned_system(plan_, loaded_problem(scene_, solution, finer),
                                               solution.instant.configuration, finer);
