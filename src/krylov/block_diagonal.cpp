@@ -65,16 +65,18 @@ BlockDiagonalPreconditioner::BlockDiagonalPreconditioner(std::vector<Member> mem
   std::map<const MatrixXd*, std::size_t> group_of;
   Index first = 0;
   for (std::size_t k = 0; k < members_.size(); ++k) {
-    const auto [entry, is_new] = group_of.try_emplace(members_[k].inverse.get(), users_.size());
+    const MatrixXd* inverse = members_[k].inverse.get();
+    offsets_.push_back(first);
+    first += inverse ? inverse->rows() / 2 : members_[k].n_nodes;
+    if (!inverse) continue;
+    const auto [entry, is_new] = group_of.try_emplace(inverse, users_.size());
     if (is_new) users_.emplace_back();
     users_[entry->second].push_back(k);
-    offsets_.push_back(first);
-    first += members_[k].inverse->rows() / 2;
   }
 }
 
 VectorXd BlockDiagonalPreconditioner::operator()(const VectorXd& v) const {
-  VectorXd result(v.size());
+  VectorXd result = -2.0 * v;  // the result of members without an inverse
   // There are few blocks, of different sizes; threads share the columns of one block. A column is
   // the vector of a component, turned into the frame of the block and back (05.11).
   constexpr Index columns_at_once = 16;

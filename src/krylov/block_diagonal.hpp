@@ -51,8 +51,11 @@ class BlockDiagonalPreconditioner {
  public:
   /// One component.
   struct Member {
-    std::shared_ptr<const Eigen::MatrixXd> inverse;  ///< inverse of its self block
+    /// Inverse of its self block. Null: that of \f$ -\frac12 \f$, as which the block of a circular
+    /// wall acts on all but a few modes.
+    std::shared_ptr<const Eigen::MatrixXd> inverse;
     double orientation = 0.0;  ///< radians, counter-clockwise, relative to the reference
+    Eigen::Index n_nodes = 0;  ///< number of nodes N; read only if there is no inverse
   };
 
   /// Groups the components that share a block. The members are in the order of the densities and

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <Eigen/SVD>
 #include <boost/test/unit_test.hpp>
 #include <omp.h>
 
@@ -76,6 +77,21 @@ BOOST_AUTO_TEST_CASE(blocks_of_their_own_give_what_shared_ones_give) {
       BlockDiagonalPreconditioner({{shared, 0.1}, {shared, 0.2}, {shared, 0.3}})(v);
   const VectorXd two = BlockDiagonalPreconditioner({{shared, 0.1}, {copy, 0.2}, {shared, 0.3}})(v);
   BOOST_TEST((one - two).norm() < 1e-14 * one.norm());
+}
+
+BOOST_AUTO_TEST_CASE(a_circular_wall_requires_no_inverse) {
+  const auto inverse = inverse_of(Ellipse{1.0, 0.2}, 32, ComponentKind::free_body);
+  const Component wall = placed(Circle{5.0}, 24, 0.0, ComponentKind::enclosing_wall);
+  const VectorXd v = test::normal_matrix(64 + 48 + 64, 1, 4);
+  const VectorXd solved = BlockDiagonalPreconditioner({{inverse}, {{}, 0.0, 24}, {inverse}})(v);
+  BOOST_TEST((solved.head(64) - *inverse * v.head(64)).norm() < 1e-13 * v.norm());
+  BOOST_TEST((solved.tail(64) - *inverse * v.tail(64)).norm() < 1e-13 * v.norm());
+  BOOST_TEST((solved.segment(64, 48) == -2.0 * v.segment(64, 48)));
+  // This inverts the block of the wall but for three rigid motions and the normal flow.
+  const MatrixXd rest = -2.0 * self_block(wall) - MatrixXd::Identity(48, 48);
+  const VectorXd sizes = rest.jacobiSvd().singularValues();
+  BOOST_TEST(sizes[3] > 0.1);
+  BOOST_TEST(sizes[4] < 1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {

@@ -40,6 +40,28 @@ Scene mixed(const std::vector<Wall>& walls) {
   return result;
 }
 
+// Returns equal bodies in a square of rows and columns, with narrow gaps, in a round container.
+Scene square_in_container(int rows, const Ellipse& shape) {
+  const Complex spacing{2.0 * shape.a + 0.03, 2.0 * shape.b + 0.03};
+  const double radius = 0.5 * rows * std::abs(spacing) + 1.0;
+  Scene result = scene({}, {}, {outer_wall(Circle{radius}, automatic_nodes)});
+  result.solver.tolerance = 1e-3;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      const double x = i - 0.5 * (rows - 1), y = j - 0.5 * (rows - 1);
+      result.bodies.push_back(
+          body(shape, automatic_nodes, {x * spacing.real(), y * spacing.imag()}));
+    }
+  }
+  return result;
+}
+
+PreconditionerKind chosen(const Scene& scene) {
+  const Discretised start(with_preconditioner(scene, PreconditionerKind::none));
+  return chosen_preconditioner(make_plan(scene), start.solver.gaps(start.configuration),
+                               start.discretisation, start.solver.separation());
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(chains_and_hexagons_take_few_iterations) {
@@ -183,11 +205,6 @@ BOOST_AUTO_TEST_CASE(neighbours_are_mutual_and_leave_enclosing_walls_out) {
 
 BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   using enum PreconditionerKind;
-  const auto chosen = [](const Scene& scene) {
-    const Discretised start(with_preconditioner(scene, none));
-    return chosen_preconditioner(make_plan(scene), start.solver.gaps(start.configuration),
-                                 start.discretisation, start.solver.separation());
-  };
   const auto in_contact = [](Scene scene, double separation) {
     scene.contact = ContactSettings{separation};
     return scene;
@@ -214,6 +231,17 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   BOOST_TEST((chosen(disk_hexagon(7, 1e-3, 1e-1)) == clusters));  // 169 disks, a crystal
   BOOST_TEST((chosen(mixed({outer_wall(Circle{6.0}, automatic_nodes)})) == direct));
   BOOST_TEST((chosen(scene({body(Circle{1.0}, automatic_nodes, {})}, ShearFlow{1.0})) == none));
+}
+
+BOOST_AUTO_TEST_CASE(many_round_bodies_within_a_wall_have_no_tree) {
+  using enum PreconditionerKind;
+  const Ellipse round{1.0, 0.9}, elongated{3.0, 1.0};
+  BOOST_TEST((chosen(square_in_container(12, round)) == hierarchical));
+  BOOST_TEST((chosen(square_in_container(13, round)) == block_diagonal));
+  BOOST_TEST((chosen(square_in_container(13, elongated)) == hierarchical));
+  Scene unbounded = square_in_container(13, round);
+  unbounded.walls.clear();
+  BOOST_TEST((chosen(unbounded) == hierarchical));
 }
 
 BOOST_AUTO_TEST_CASE(a_factorised_system_leaves_nothing_to_iterate) {
