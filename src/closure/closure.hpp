@@ -71,6 +71,9 @@ class Closure {
   ///         wall or a gauge length, or a gradient of the pressure without prescribed components
   explicit Closure(const StokesProblem& problem);
 
+  const StokesProblem& problem() const { return problem_; }  ///< returns the problem
+  const ComplexVector& nodes() const { return nodes_; }      ///< returns all n nodes
+
   /// Removes the rigid part on all inner components: \f$ (I - P)\eta \f$.
   ComplexVector without_rigid_part(const ComplexVector& density) const;
 

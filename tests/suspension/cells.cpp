@@ -39,8 +39,7 @@ struct SolvedCell {
 };
 
 SolvedCell solve_cell(const StokesProblem& problem) {
-  const LinearSystem discrete{problem,
-                              SuspensionOperator(problem, cauchy_curves(problem), accurate_plan())};
+  const LinearSystem discrete{SuspensionOperator(problem, cauchy_curves(problem), accurate_plan())};
   const GmresResult result = solve(discrete, discrete.system.right_hand_side(), {1e-13, 500});
   BOOST_TEST(result.converged);
   const ComplexVector density = deinterleaved(result.solution);

@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(the_preconditioner_is_linear_and_exact_for_rigid_motions) {
   // The operator maps a rigid motion of one body to the negative motion on this body, and to zero
   // on the other bodies.
   ComplexVector motion = ComplexVector::Zero(n / 2);
-  const Component& component = discrete.problem.components[2];
+  const Component& component = discrete.problem().components[2];
   motion.segment(discrete.system.offsets()[2], component.curve.size()) =
       (Complex(0.3, -0.7) + 0.4 * imaginary * (component.curve.x.array() - component.centre))
           .matrix();
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_block_that_is_singular_is_told_of_whatever_the_threads) {
   for (const ClusterForm form : {ClusterForm::resistance, ClusterForm::mobility}) {
     for (const int threads : {1, 2}) {
       omp_set_num_threads(threads);
-      BOOST_CHECK_THROW(cluster_preconditioner(start.discrete.problem, start.configuration,
+      BOOST_CHECK_THROW(cluster_preconditioner(start.discrete.problem(), start.configuration,
                                                discretisation, {}, form),
                         std::domain_error);
     }

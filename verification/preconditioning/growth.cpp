@@ -49,9 +49,9 @@ double iterations_at_one_tolerance(int count) {
   const Scene scene = test::with_preconditioner(packing(count, 1), PreconditionerKind::none);
   const GmresOptions options{make_plan(scene).gmres_tolerance, scene.solver.gmres_max_iterations};
   test::Discretised start(scene);
-  start.discrete.precondition =
-      hierarchical_preconditioner(start.discrete.problem, start.configuration, start.discretisation,
-                                  placed_schemes(start.configuration, start.discretisation));
+  start.discrete.precondition = hierarchical_preconditioner(
+      start.discrete.problem(), start.configuration, start.discretisation,
+      placed_schemes(start.configuration, start.discretisation));
   return solve(start.discrete, start.discrete.system.right_hand_side(), options).iterations;
 }
 

@@ -53,7 +53,7 @@ class Hexagon {
                                         PreconditionerKind::none)),
         free_matrix(dense(free_.discrete.system)),
         held_matrix(dense(held_.discrete.system)) {
-    const auto& components = free_.discrete.problem.components;
+    const auto& components = free_.discrete.problem().components;
     const auto neighbours = cluster_neighbours(free_.configuration, free_.discretisation);
     const Index unknowns = free_matrix.rows(), count = static_cast<Index>(components.size());
     modes = MatrixXd::Zero(unknowns, 3 * count);

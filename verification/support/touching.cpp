@@ -177,7 +177,7 @@ Discretised::Discretised(const Scene& scene)
 Discretised::Discretised(const Scene& scene, ClusterForm form)
     : Discretised(with_preconditioner(scene, PreconditionerKind::none)) {
   discrete.precondition =
-      cluster_preconditioner(discrete.problem, configuration, discretisation,
+      cluster_preconditioner(discrete.problem(), configuration, discretisation,
                              placed_cauchy_schemes(configuration, discretisation), form);
 }
 

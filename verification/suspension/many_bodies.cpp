@@ -58,7 +58,7 @@ JudgedCrowd judge_crowd(int count) {
   const LinearSystem fine =
       solver.linear_system(solver.start(), solver.discretise(refine(resolutions)));
   const Solved twice = solved_at(solver, times(2.0, resolutions), *scene.solver.gmres_tol);
-  StokesProblem first = answer.discrete.problem;
+  StokesProblem first = answer.discrete.problem();
   first.components.resize(looked_at);
   return {*relative_change(first, first_of(twice.completion), first_of(answer.completion),
                            answer.scale),

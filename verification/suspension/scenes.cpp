@@ -195,7 +195,7 @@ Resolutions times(double factor, Resolutions resolutions) {
 }
 
 double error(const Solved& solved, const Completion& reference) {
-  return *relative_change(solved.discrete.problem, reference, solved.completion, solved.scale);
+  return *relative_change(solved.discrete.problem(), reference, solved.completion, solved.scale);
 }
 
 }  // namespace stokesbook::verification::suspension

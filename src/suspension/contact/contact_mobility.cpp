@@ -201,7 +201,7 @@ void ContactMobility::reuse_similar(Column& column) const {
 
 void ContactMobility::solve_by_factors(Column& column) const {
   const LinearSystem& discrete = *solution_.system;
-  const ComplexVector rhs = rhs_under(discrete.problem, column.load, solver_.plan());
+  const ComplexVector rhs = rhs_under(discrete.problem(), column.load, solver_.plan());
   column.density = deinterleaved(discrete.precondition(interleaved(rhs)));
   column.tolerance = combination_tolerance_;
   complete(column, rhs.norm());
@@ -249,7 +249,7 @@ void ContactMobility::solve_to_tolerance(Column& column, double angle) {
   if (column.tolerance <= std::max(combination_tolerance_, angle * column_tolerance_)) return;
   column.tolerance =
       std::max(combination_tolerance_, angle * std::min(column_tolerance_, most_solved_tolerance));
-  const ComplexVector rhs = rhs_under(solution_.system->problem, column.load, solver_.plan());
+  const ComplexVector rhs = rhs_under(solution_.system->problem(), column.load, solver_.plan());
   column.density = deinterleaved(run_gmres(rhs, column.tolerance, column.density).solution);
   complete(column, rhs.norm());
 }
@@ -319,7 +319,7 @@ bool ContactMobility::refine_combination(const VectorXd& multipliers) {
   const auto columns = static_cast<int>((weights.array() != 0.0).count());
   if (refinement_iterations_ > iterations_of_closer_column * columns) return tighten();
   const auto [load, density] = combine(multipliers);
-  const ComplexVector rhs = rhs_under(solution_.system->problem, load, solver_.plan());
+  const ComplexVector rhs = rhs_under(solution_.system->problem(), load, solver_.plan());
   const double strength = std::max(flow_norm_, rhs.norm());
   const GmresResult found = run_gmres(rhs, combination_tolerance_ * strength / rhs.norm(), density);
   combination_weights_ = weights;
@@ -372,7 +372,7 @@ Solution ContactMobility::loaded_solution(const VectorXd& multipliers) const {
   if (!(multipliers.array() > 0.0).any()) return loaded;
   const auto [load, density] = combine(multipliers);
   const Completion added =
-      Closure(problem_under(solution_.system->problem, load)).complete(density);
+      Closure(problem_under(solution_.system->problem(), load)).complete(density);
   loaded.density += density;
   loaded.uniform_velocity += added.uniform_velocity;
   for (std::size_t k = 0; k < loaded.motions.size(); ++k) {

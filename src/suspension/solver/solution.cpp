@@ -91,10 +91,10 @@ StokesProblem loaded_problem(const Scene& scene, const Solution& solution,
 
 Solution complete_solution(const Scene& scene, Solution solution, GmresResult gmres) {
   const Forcing& forcing = solution.instant.forcing;
-  const auto& [problem, system, precondition, is_factorised] = *solution.system;
+  const Closure& closure = solution.system->system.closure();
   solution.gmres = std::move(gmres);
   solution.density = deinterleaved(solution.gmres.solution);
-  const Completion completion = system.closure().complete(solution.density);
+  const Completion completion = closure.complete(solution.density);
   solution.motions = completion.motions;
   solution.loads = completion.loads;
   solution.uniform_velocity = completion.uniform_velocity;
@@ -107,8 +107,8 @@ Solution complete_solution(const Scene& scene, Solution solution, GmresResult gm
       continue;
     }
     // The problem leaves out the rigid motion of the flow at the body, and of the container.
-    const Complex centre = problem.components[k].centre;
-    const RigidMotion carried = is_bounded(problem)
+    const Complex centre = closure.problem().components[k].centre;
+    const RigidMotion carried = is_bounded(closure.problem())
                                     ? RigidMotion{frame_velocity(scene, forcing)}
                                     : scaled(forcing.flow, background_rigid_motion(flow, centre));
     solution.motions[k].velocity += carried.velocity;

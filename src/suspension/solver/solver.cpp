@@ -199,10 +199,12 @@ double SuspensionSolver::least_gmres_tolerance() const {
 ErrorEstimate SuspensionSolver::estimate_on_finer_nodes(const LinearSystem& discrete,
                                                         const Solution& solution) const {
   if (solution.velocity_scale == 0.0) return {};
-  return_freed_memory(is_large(solution.density.size()));
+  const bool large = is_large(solution.density.size());
+  return_freed_memory(large);
   const Discretisation finer = discretise(finer_than(solution));
   LinearSystem fine = unpreconditioned_system(plan_, loaded_problem(scene_, solution, finer),
                                               solution.instant.configuration, finer);
+  return_freed_memory(large);
   try {
     return estimate_error(discrete, solution.gmres, std::move(fine), solution.velocity_scale);
   } catch (const SolverError&) {
@@ -303,7 +305,7 @@ Solution SuspensionSolver::solve_nearby(const Instant& instant, const Resolution
 Solution SuspensionSolver::solve_lagged(const Instant& instant, const DensityGuess& guess) const {
   const std::vector<Gap> gaps = find_open_gaps(instant);
   Solution solution = prepare(instant, gaps, first_resolutions(instant.configuration, gaps));
-  const auto& [problem, apply, precondition, is_factorised] = *solution.system;
+  const auto& [apply, precondition, is_factorised] = *solution.system;
   const ComplexVector rhs = apply.right_hand_side(), before = guess(solution.discretisation);
   const ComplexVector residual = rhs - apply(before);
   GmresResult sweep;

@@ -63,7 +63,7 @@ double correction_tolerance(double residual, double rhs, const GmresResult& solu
 GmresResult solve_in_parts(const LinearSystem& system, const ComplexVector& rhs, double tolerance) {
   constexpr Index most_numbers = 1 << 24;
   const Index size = 2 * rhs.size();
-  Index longest = std::max<Index>(16, most_numbers / size);
+  Index longest = std::max<Index>(8, most_numbers / size);
   GmresResult result;
   result.residual = 1.0;
   do {
@@ -119,7 +119,7 @@ ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solu
       solve_in_parts(fine, residual, correction_tolerance(residual.norm(), rhs.norm(), solution));
   const ComplexVector correction = deinterleaved(result.solution);
   const double moved =
-      relative_change(fine.problem, coarse.system.closure().complete(density),
+      relative_change(fine.problem(), coarse.system.closure().complete(density),
                       fine.system.closure().complete(interpolated + correction), scale)
           .value_or(correction.cwiseAbs().maxCoeff() / scale);
   // If the densities are hardly resolved, the solution on finer nodes has an error, too.

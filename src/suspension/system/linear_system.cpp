@@ -17,11 +17,10 @@ using Eigen::Index;
 
 namespace {
 
-std::variant<StressletSum, FastSum> make_sum(const StokesProblem& problem,
-                                             const std::vector<Curve>& curves, const Plan& plan) {
+std::variant<StressletSum, FastSum> make_sum(const StokesProblem& problem, const Plan& plan) {
   const Index n = node_offsets(problem).back();
   if (problem.cell || plan.is_fast(n)) return FastSum(problem, plan.sum_tolerance);
-  return StressletSum(curves, StressletSum::automatic_storage(n));
+  return StressletSum(curves_of(problem), StressletSum::automatic_storage(n));
 }
 
 // Returns the curves near which the operator corrects its sums; empty if none is planned.
@@ -59,16 +58,13 @@ std::vector<PlacedCurve> placed_schemes(const Configuration& configuration,
 SuspensionOperator::SuspensionOperator(const StokesProblem& problem,
                                        const std::vector<PlacedCurve>& placed, const Plan& plan,
                                        NearStorage near_storage)
-    : curves_(curves_of(problem)),
-      offsets_(node_offsets(problem)),
-      closure_(problem),
-      sum_(make_sum(problem, curves_, plan)) {
-  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    : offsets_(node_offsets(problem)), closure_(problem), sum_(make_sum(problem, plan)) {
+  for (std::size_t k = 0; k < problem.components.size(); ++k) {
     if (problem.components[k].kind == ComponentKind::enclosing_wall) enclosing_wall_ = k;
   }
   if (!placed.empty()) {
     const auto* fast = std::get_if<FastSum>(&sum_);
-    near_.emplace(placed, all_nodes(curves_), Targets::own_nodes,
+    near_.emplace(placed, closure_.nodes(), Targets::own_nodes,
                   NearSettings{plan.near_tolerance, near_storage},
                   fast != nullptr ? fast->near_images() : std::vector<Complex>{});
   }
@@ -82,12 +78,12 @@ ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const
   ComplexVector velocity = plain_velocity(rest, closure_.density_loads(density)) - 0.5 * rest +
                            closure_.smooth_velocity(density);
   if (near_) velocity += (*near_)(rest);
-  for (std::size_t k = 0; k < curves_.size(); ++k) {
-    velocity.segment(offsets_[k], curves_[k].size()) +=
-        diagonal_velocity(curves_[k], rest.segment(offsets_[k], curves_[k].size()));
+  for (std::size_t k = 0; k + 1 < offsets_.size(); ++k) {
+    velocity.segment(offsets_[k], curve(k).size()) +=
+        diagonal_velocity(curve(k), rest.segment(offsets_[k], curve(k).size()));
   }
   if (enclosing_wall_) {
-    const Curve& wall = curves_[*enclosing_wall_];
+    const Curve& wall = curve(*enclosing_wall_);
     const Index first = offsets_[*enclosing_wall_];
     velocity.segment(first, wall.size()) +=
         null_space_velocity(wall, rest.segment(first, wall.size()));
@@ -108,7 +104,7 @@ ComplexVector SuspensionOperator::plain_velocity(const ComplexVector& density,
                                                  const std::vector<Load>& loads) const {
   if (const auto* fast = std::get_if<FastSum>(&sum_)) return fast->velocity(density, loads);
   return std::get<StressletSum>(sum_)(density) +
-         closure_.singular_velocity(loads, all_nodes(curves_));
+         closure_.singular_velocity(loads, closure_.nodes());
 }
 
 GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
@@ -128,8 +124,8 @@ GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
 LinearSystem unpreconditioned_system(const Plan& plan, const StokesProblem& problem,
                                      const Configuration& configuration,
                                      const Discretisation& discretisation) {
-  return {problem, SuspensionOperator(problem, near_curves(plan, configuration, discretisation),
-                                      plan, NearStorage::factored)};
+  return {SuspensionOperator(problem, near_curves(plan, configuration, discretisation), plan,
+                             NearStorage::factored)};
 }
 
 LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
@@ -141,7 +137,7 @@ LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
   // A preconditioner needs far more memory while it is built than later, so it comes first.
   LinearMap precondition =
       make_preconditioner(kind, plan, scene, problem, configuration, gaps, discretisation, placed);
-  return {problem, SuspensionOperator(problem, placed, plan), std::move(precondition),
+  return {SuspensionOperator(problem, placed, plan), std::move(precondition),
           kind == PreconditionerKind::direct};
 }
 

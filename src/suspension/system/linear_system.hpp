@@ -56,7 +56,9 @@ class SuspensionOperator {
   // Evaluates the double layer by the trapezoid rule, and the singularities of loads.
   ComplexVector plain_velocity(const ComplexVector& density, const std::vector<Load>& loads) const;
 
-  std::vector<Curve> curves_;
+  // Returns the nodes of a component.
+  const Curve& curve(std::size_t k) const { return closure_.problem().components[k].curve; }
+
   std::vector<Eigen::Index> offsets_;
   std::optional<std::size_t> enclosing_wall_;
   Closure closure_;
@@ -66,11 +68,13 @@ class SuspensionOperator {
 
 /// The linear system of one instant at one resolution.
 struct LinearSystem {
-  StokesProblem problem;        ///< components with their nodes and data
   SuspensionOperator system;    ///< density in, velocity at the nodes out
   LinearMap precondition = {};  ///< approximate inverse, interleaved; empty: none
   bool is_factorised = false;   ///< whether the preconditioner solves the system, up to the
                                 ///< errors of its near corrections
+
+  /// Returns the components with their nodes and data.
+  const StokesProblem& problem() const { return system.closure().problem(); }
 };
 
 /// Solves a system for the density by GMRES.
