@@ -14,15 +14,17 @@ namespace stokesbook {
 
 namespace {
 
+Curve nodes_of(const Shape& shape, const Resolution& resolution, Side side) {
+  if (!resolution.is_graded()) return sample(shape, resolution.n_nodes, side);
+  return sample(shape, graded_parameters(resolution.grading, resolution.n_nodes), side);
+}
+
 DiscretisedShape build(const Shape& shape, const Resolution& resolution, ComponentKind kind,
                        const DiscretisationNeeds& needs) {
-  const Side side = side_of(kind);
-  const auto parameters = graded_parameters(resolution.grading, resolution.n_nodes);
-  const Curve curve = resolution.is_graded() ? sample(shape, parameters, side)
-                                             : sample(shape, resolution.n_nodes, side);
-  DiscretisedShape discretised{
-      shape,      resolution, kind,
-      parameters, curve,      std::make_shared<const Parametrisation>(parametrisation(shape))};
+  const Curve curve = nodes_of(shape, resolution, side_of(kind));
+  DiscretisedShape discretised{shape, resolution, kind, {}, curve, {}};
+  discretised.parameters = graded_parameters(resolution.grading, resolution.n_nodes);
+  discretised.parametrisation = std::make_shared<const Parametrisation>(parametrisation(shape));
   discretised.shape_residual =
       resolution.is_graded() ? rigid_motion_residual(curve) : shape_residual(shape, curve);
   discretised.gyration_radius = RigidModes(curve, {}).gyration_radius();
@@ -35,11 +37,12 @@ DiscretisedShape build(const Shape& shape, const Resolution& resolution, Compone
     discretised.interpolation = std::make_shared<InterpolationCurve>(
         curve, InterpolationSettings::for_tolerance(*needs.interpolation_tolerance));
   }
-  const Component alone{kind, curve, {}, {}, 0.0, {}};
-  discretised.inverse_block = std::async(std::launch::deferred, [alone, needs] {
-                                return std::make_shared<const Eigen::MatrixXd>(
-                                    invert_block(self_block(alone, needs.gauge_length)));
-                              }).share();
+  // Most blocks are never inverted, so this waits without a copy of the nodes.
+  discretised.inverse_block =
+      std::async(std::launch::deferred, [shape, resolution, kind, gauge = needs.gauge_length] {
+        const Component alone{kind, nodes_of(shape, resolution, side_of(kind)), {}, {}, 0.0, {}};
+        return std::make_shared<const Eigen::MatrixXd>(invert_block(self_block(alone, gauge)));
+      }).share();
   return discretised;
 }
 

@@ -44,9 +44,8 @@ LinearMap refined_preconditioner(const LinearSystem& coarse, const LinearSystem&
   if (!coarse.precondition) return {};
   return [&](const Eigen::VectorXd& v) {
     const ComplexVector all = deinterleaved(v), low = transferred(all, fine, coarse);
-    const ComplexVector solved = deinterleaved(coarse.precondition(interleaved(low)));
-    const ComplexVector high = all - transferred(low, coarse, fine);
-    const ComplexVector both = transferred(solved, coarse, fine) - 2.0 * high;
+    ComplexVector both = 2.0 * (transferred(low, coarse, fine) - all);
+    both += transferred(deinterleaved(coarse.precondition(interleaved(low))), coarse, fine);
     return Eigen::VectorXd(interleaved(both));
   };
 }
@@ -63,7 +62,7 @@ double correction_tolerance(double residual, double rhs, const GmresResult& solu
 GmresResult solve_in_parts(const LinearSystem& system, const ComplexVector& rhs, double tolerance) {
   constexpr Index most_numbers = 1 << 24;
   const Index size = 2 * rhs.size();
-  Index longest = std::max<Index>(8, most_numbers / size);
+  Index longest = std::max<Index>(16, most_numbers / size);
   GmresResult result;
   result.residual = 1.0;
   do {
@@ -113,10 +112,11 @@ ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solu
   const ComplexVector density = deinterleaved(solution.solution);
   // r = b - A eta on the finer nodes, then A eta' = r for the correction eta'.
   const ComplexVector interpolated = transferred(density, coarse, fine);
-  const ComplexVector rhs = fine.system.right_hand_side();
-  const ComplexVector residual = rhs - fine.system(interpolated);
+  ComplexVector residual = fine.system.right_hand_side();
+  const double rhs = residual.norm();
+  residual -= fine.system(interpolated);
   const GmresResult result =
-      solve_in_parts(fine, residual, correction_tolerance(residual.norm(), rhs.norm(), solution));
+      solve_in_parts(fine, residual, correction_tolerance(residual.norm(), rhs, solution));
   const ComplexVector correction = deinterleaved(result.solution);
   const double moved =
       relative_change(fine.problem(), coarse.system.closure().complete(density),
