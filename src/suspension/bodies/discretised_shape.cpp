@@ -14,16 +14,21 @@ namespace stokesbook {
 
 namespace {
 
-Curve nodes_of(const Shape& shape, const Resolution& resolution, Side side) {
-  if (!resolution.is_graded()) return sample(shape, resolution.n_nodes, side);
-  return sample(shape, graded_parameters(resolution.grading, resolution.n_nodes), side);
+std::vector<GradedParameter> parameters_of(const Resolution& resolution) {
+  return graded_parameters(resolution.grading, resolution.n_nodes);
+}
+
+Curve nodes_of(const Shape& shape, const Resolution& resolution,
+               const std::vector<GradedParameter>& parameters, Side side) {
+  return resolution.is_graded() ? sample(shape, parameters, side)
+                                : sample(shape, resolution.n_nodes, side);
 }
 
 DiscretisedShape build(const Shape& shape, const Resolution& resolution, ComponentKind kind,
                        const DiscretisationNeeds& needs) {
-  const Curve curve = nodes_of(shape, resolution, side_of(kind));
-  DiscretisedShape discretised{shape, resolution, kind, {}, curve, {}};
-  discretised.parameters = graded_parameters(resolution.grading, resolution.n_nodes);
+  const auto parameters = parameters_of(resolution);
+  const Curve curve = nodes_of(shape, resolution, parameters, side_of(kind));
+  DiscretisedShape discretised{shape, resolution, kind, parameters, curve, {}};
   discretised.parametrisation = std::make_shared<const Parametrisation>(parametrisation(shape));
   discretised.shape_residual =
       resolution.is_graded() ? rigid_motion_residual(curve) : shape_residual(shape, curve);
@@ -40,7 +45,8 @@ DiscretisedShape build(const Shape& shape, const Resolution& resolution, Compone
   // Most blocks are never inverted, so this waits without a copy of the nodes.
   discretised.inverse_block =
       std::async(std::launch::deferred, [shape, resolution, kind, gauge = needs.gauge_length] {
-        const Component alone{kind, nodes_of(shape, resolution, side_of(kind)), {}, {}, 0.0, {}};
+        const Curve nodes = nodes_of(shape, resolution, parameters_of(resolution), side_of(kind));
+        const Component alone{kind, nodes, {}, {}, 0.0, {}};
         return std::make_shared<const Eigen::MatrixXd>(invert_block(self_block(alone, gauge)));
       }).share();
   return discretised;
