@@ -14,6 +14,8 @@
 using namespace stokesbook;
 using Eigen::Index;
 
+BOOST_AUTO_TEST_SUITE(contact_shapes)
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -91,3 +93,5 @@ BOOST_AUTO_TEST_CASE(a_sag_that_is_not_positive_is_refused) {
                       std::invalid_argument);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@ using namespace stokesbook;
 using namespace stokesbook::test;
 using Eigen::Index;
 
+BOOST_AUTO_TEST_SUITE(first_contact)
+
 namespace {
 
 constexpr double delta = 0.1, tolerance = 1e-4 * delta;
@@ -332,3 +334,5 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   step.paths.pop_back();
   BOOST_CHECK_THROW(interferences(step, rules()), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,8 @@
 using namespace stokesbook;
 using namespace stokesbook::test;
 
+BOOST_AUTO_TEST_SUITE(invariance)
+
 namespace {
 
 constexpr double separation = 0.05;
@@ -157,3 +159,5 @@ BOOST_AUTO_TEST_CASE(the_same_bits_for_any_number_of_threads) {
   }
   omp_set_num_threads(threads_before);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -15,6 +15,8 @@
 using namespace stokesbook;
 using Eigen::Index;
 
+BOOST_AUTO_TEST_SUITE(polygon)
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -171,3 +173,5 @@ BOOST_AUTO_TEST_CASE(what_is_no_polygon_is_refused) {
   BOOST_CHECK_EXCEPTION(make(ComplexVector{{0.0, -infinity, 1.0}}), std::invalid_argument,
                         says("vertex 1 of a polygon is not finite: (-inf,0)"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

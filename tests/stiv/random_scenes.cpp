@@ -11,6 +11,8 @@
 using namespace stokesbook;
 using namespace stokesbook::test;
 
+BOOST_AUTO_TEST_SUITE(random_scenes)
+
 namespace {
 
 constexpr double separation = 0.05, tolerance = 1e-4 * separation;
@@ -184,3 +186,5 @@ BOOST_AUTO_TEST_CASE(admitted_steps_end_apart) {
   BOOST_TEST(admitted > 10u);
   BOOST_TEST(refused > 10u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -11,6 +11,8 @@
 using namespace stokesbook;
 using namespace stokesbook::test;
 
+BOOST_AUTO_TEST_SUITE(resolution)
+
 namespace {
 
 // Solves the complementarity problem of b + N z >= 0 and z >= 0 by projected Gauss-Seidel.
@@ -152,3 +154,5 @@ BOOST_AUTO_TEST_CASE(crowds_come_apart) {
   BOOST_TEST(iterations < 2 * steps);
   BOOST_TEST(iterations > steps / 2);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,8 @@
 using namespace stokesbook;
 using namespace stokesbook::test;
 
+BOOST_AUTO_TEST_SUITE(rows)
+
 namespace {
 
 constexpr double delta = 0.02, tolerance = 1e-3 * delta;
@@ -226,3 +228,5 @@ BOOST_AUTO_TEST_CASE(contacts_share_no_row) {
   BOOST_REQUIRE(contacts[1].rows.size() == 1u);
   BOOST_TEST(contacts[1].rows[0].key.vertex == 9);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,8 @@
 using namespace stokesbook;
 using namespace stokesbook::test;
 
+BOOST_AUTO_TEST_SUITE(volumes)
+
 namespace {
 
 constexpr double radius = 0.5;
@@ -57,3 +59,5 @@ BOOST_AUTO_TEST_CASE(contacts_that_are_not_violated_have_no_volume) {
   BOOST_TEST(found.contacts[0].rows[0].gap == 0.05, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(found.contacts[0].rows[0].time == 1.0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,9 @@
 #include "suspension/solver/fields.hpp"
 
 namespace stokesbook::test {
+
+BOOST_AUTO_TEST_SUITE(field_output)
+
 namespace {
 
 using Eigen::Index;
@@ -32,8 +35,6 @@ double mean_pressure(const Solved& solved, const Curve& wall) {
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(field_output)
 
 BOOST_AUTO_TEST_CASE(grids_cover_their_boxes) {
   const auto is = [](const FieldGrid& grid, Complex corner, double spacing, Index columns,
