@@ -4,10 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
 #include "interactive/numbers.hpp"
+#include "support/spectra.hpp"
 
 namespace {
 
@@ -26,12 +24,10 @@ interactive::Case gmres_case(const std::array<std::array<double, 2>, 5>& eigenva
   }
   const auto apply = [&a](const Eigen::VectorXd& v) -> Eigen::VectorXd { return a * v; };
   const auto result = stokesbook::gmres(apply, {}, b, {.tolerance = 1e-14, .max_iterations = k});
-  // r = p(A) b: in the basis of eigenvectors, p(lambda) is a quotient of coefficients.
-  const Eigen::MatrixXcd vectors = Eigen::EigenSolver<Eigen::MatrixXd>(a).eigenvectors();
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> basis(vectors);
-  const Eigen::VectorXcd of_r = basis.solve((b - a * result.solution).cast<std::complex<double>>());
-  const Eigen::VectorXd p =
-      of_r.cwiseQuotient(basis.solve(b.cast<std::complex<double>>())).cwiseAbs();
+  // r = p(A) b. With a left eigenvector y, A^T y = lambda y, and so p(lambda) = y^T r / y^T b.
+  const Eigen::MatrixXcd left = stokesbook::test::eigenpairs(a.transpose()).vectors.transpose();
+  const Eigen::VectorXd r = b - a * result.solution;
+  const Eigen::VectorXd p = (left * r).cwiseQuotient(left * b).cwiseAbs();
   return {.settings = settings,
           .numbers = {{"residual", result.history.back()},
                       {"mean", p.norm() / std::sqrt(10.0)},

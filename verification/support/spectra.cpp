@@ -1,5 +1,6 @@
 // Computes singular values, eigenvalues and condition numbers of dense matrices, and the spectrum
-// of the double layer of an ellipse in closed form (01.10).
+// of the double layer of an ellipse in closed form (01.10). Eigen's eigenvalues of general matrices
+// would take 14 s to compile, so this file uses GSL's.
 #include "support/spectra.hpp"
 
 #include <algorithm>
@@ -7,11 +8,21 @@
 #include <stdexcept>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
+#include <gsl/gsl_eigen.h>
 
 #include "support/dense.hpp"
+#include "support/gsl_matrix.hpp"
 
 namespace stokesbook::test {
+namespace {
+
+// Returns the memory of complex numbers in the form of GSL, real and imaginary parts in turn.
+template <class Complexes>
+double* reals(Complexes& complexes) {
+  return reinterpret_cast<double*>(complexes.data());
+}
+
+}  // namespace
 
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix) {
   // The singular values of A are the eigenvalues >= 0 of (0 A; A^T 0). The compilation of Eigen's
@@ -27,12 +38,29 @@ double condition_number(const Eigen::MatrixXd& matrix) {
 }
 
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix) {
-  return matrix.eigenvalues();
+  const auto n = static_cast<std::size_t>(matrix.rows());
+  RowMajorMatrix copy = matrix;
+  gsl_matrix_view a = gsl_view(copy);
+  Eigen::VectorXcd values(matrix.rows());
+  gsl_vector_complex_view result = gsl_vector_complex_view_array(reals(values), n);
+  gsl_eigen_nonsymm_workspace* work = gsl_eigen_nonsymm_alloc(n);
+  gsl_eigen_nonsymm(&a.matrix, &result.vector, work);
+  gsl_eigen_nonsymm_free(work);
+  return values;
 }
 
 Eigenpairs eigenpairs(const Eigen::MatrixXd& matrix) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix);
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  const auto n = static_cast<std::size_t>(matrix.rows());
+  RowMajorMatrix copy = matrix;
+  gsl_matrix_view a = gsl_view(copy);
+  Eigen::VectorXcd values(matrix.rows());
+  gsl_vector_complex_view result = gsl_vector_complex_view_array(reals(values), n);
+  Eigen::MatrixXcd transposed(matrix.rows(), matrix.rows());
+  gsl_matrix_complex_view vectors = gsl_matrix_complex_view_array(reals(transposed), n, n);
+  gsl_eigen_nonsymmv_workspace* work = gsl_eigen_nonsymmv_alloc(n);
+  gsl_eigen_nonsymmv(&a.matrix, &result.vector, &vectors.matrix, work);
+  gsl_eigen_nonsymmv_free(work);
+  return {values, transposed.transpose()};
 }
 
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix) {
