@@ -68,7 +68,8 @@ Search search_in(Model& model, const Request& request, const Scene& scene = disk
   });
 }
 
-/// Returns the cost of the cheapest settings of the model with an accuracy, on a fine grid.
+/// Returns the cost of the cheapest settings of the model with an accuracy, on a fine grid. Smaller
+/// steps cost more.
 double least_cost(const Model& model, double accuracy) {
   double least = 1e99;
   for (const auto& [_, method] : scene_text::stepping_methods) {
@@ -76,13 +77,17 @@ double least_cost(const Model& model, double accuracy) {
     for (int k = 1; k < 300; ++k) {
       // Fixed steps end at the written times, which are t_final / 50 apart.
       const double step = adaptive ? 0.1 * std::pow(1.1, -k) : 0.2 / k;
+      double least_of_step = 1e99;
       for (double solver = 1e-12; solver <= 0.1; solver *= 10.0) {
         if (adaptive && solver > most_solver_over_step * step) continue;
         for (const std::vector<int>& nodes : {std::vector<int>{}, std::vector<int>{32, 32, 32}}) {
           const Scene scene = with_settings(disks(2), {method, adaptive, step, solver, nodes});
-          if (model.error(scene) <= accuracy) least = std::min(least, model.seconds(scene));
+          const double seconds = model.seconds(scene);
+          least_of_step = std::min(least_of_step, seconds);
+          if (model.error(scene) <= accuracy) least = std::min(least, seconds);
         }
       }
+      if (least_of_step > least) break;
     }
   }
   return least;

@@ -243,9 +243,9 @@ void kill_sample_runs(int times) {
 BOOST_AUTO_TEST_SUITE(interruptions)
 
 BOOST_AUTO_TEST_CASE(killed_at_random_moments) {
-  kill_records_of_many_pages(10);
-  kill_frames_of_many_pages(10);
-  kill_sample_runs(10);
+  kill_records_of_many_pages(5);
+  kill_frames_of_many_pages(5);
+  kill_sample_runs(5);
 }
 
 BOOST_AUTO_TEST_CASE(killed_at_many_random_moments, *boost::unit_test::label("full")) {

@@ -1,4 +1,4 @@
-"""Provides a sweep of 20 small runs for tests of sweeps, and finds the processes of its tasks."""
+"""Provides a sweep of 12 small runs for tests of sweeps, and finds the processes of its tasks."""
 
 import contextlib
 import json
@@ -38,7 +38,7 @@ dt_write = 0.1
 
 SWEEP = """
 scene = "scene.toml"
-seeds = { first = 1, count = 5 }
+seeds = { first = 1, count = 3 }
 [[axes]]
 key = "fill.0.count"
 name = "count"
@@ -55,7 +55,7 @@ table = "steps.csv"
 column = "min_gap"
 take = "least"
 """
-TASKS = 20
+TASKS = 12
 
 
 def has_ended(information):
