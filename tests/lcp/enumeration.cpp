@@ -71,7 +71,7 @@ void solve_semidefinite_problems(int trials) {
       }
     }
   }
-  BOOST_TEST(without > trials / 8);
+  BOOST_TEST(without > 3 * trials / 20);
   BOOST_TEST(with > trials / 2);
   BOOST_TEST(degenerate > trials / 20);
 }

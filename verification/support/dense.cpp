@@ -1,6 +1,6 @@
 // Solves small dense systems by LU with partial pivoting, by least squares and by QR. The solutions
-// are the reference for iterative and fast methods. Eigen's QR would take ten seconds to compile, so
-// this file uses GSL's.
+// are the reference for iterative and fast methods. Eigen's QR takes long to compile, so this
+// file uses GSL's.
 #include "support/dense.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Computes singular values, eigenvalues and condition numbers of dense matrices, and the spectrum
 // of the double layer of an ellipse in closed form (01.10). Eigen's eigenvalues of general matrices
-// would take 14 s to compile, so this file uses GSL's.
+// take long to compile, so this file uses GSL's.
 #include "support/spectra.hpp"
 
 #include <algorithm>
@@ -25,8 +25,8 @@ double* reals(Complexes& complexes) {
 }  // namespace
 
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix) {
-  // The singular values of A are the eigenvalues >= 0 of (0 A; A^T 0). The compilation of Eigen's
-  // BDCSVD would take 25 s.
+  // The singular values of A are the eigenvalues >= 0 of (0 A; A^T 0). Eigen's BDCSVD
+  // takes long to compile.
   const Eigen::Index rows = matrix.rows(), columns = matrix.cols();
   Eigen::MatrixXd augmented = Eigen::MatrixXd::Zero(rows + columns, rows + columns);
   augmented.bottomLeftCorner(columns, rows) = matrix.transpose();

@@ -113,10 +113,10 @@ ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solu
   // r = b - A eta on the finer nodes, then A eta' = r for the correction eta'.
   const ComplexVector interpolated = transferred(density, coarse, fine);
   ComplexVector residual = fine.system.right_hand_side();
-  const double rhs = residual.norm();
+  const double rhs_norm = residual.norm();
   residual -= fine.system(interpolated);
   const GmresResult result =
-      solve_in_parts(fine, residual, correction_tolerance(residual.norm(), rhs, solution));
+      solve_in_parts(fine, residual, correction_tolerance(residual.norm(), rhs_norm, solution));
   const ComplexVector correction = deinterleaved(result.solution);
   const double moved =
       relative_change(fine.problem(), coarse.system.closure().complete(density),

@@ -65,7 +65,7 @@ std::size_t pairs_within(double reach, const std::vector<Gap>& gaps,
 // Returns the gaps without those at an enclosing wall.
 std::vector<Gap> inner_gaps(std::vector<Gap> gaps, const Discretisation& discretisation) {
   std::erase_if(gaps, [&](const Gap& gap) {
-    return !is_inner(discretisation[gap.a]) || !is_inner(discretisation[gap.b]);
+    return is_enclosing_wall(discretisation[gap.a]) || is_enclosing_wall(discretisation[gap.b]);
   });
   return gaps;
 }
@@ -261,7 +261,9 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              ClusterForm form) {
   auto alone = components_alone(configuration, discretisation, form, held_gauge(problem));
   for (std::size_t k = 0; k < alone.size(); ++k) {
-    if (!is_inner(discretisation[k])) alone[k].inverse = discretisation[k]->inverse_block.get();
+    if (is_enclosing_wall(discretisation[k])) {
+      alone[k].inverse = discretisation[k]->inverse_block.get();
+    }
   }
   return {problem, form, std::move(alone), cluster_neighbours(configuration, discretisation),
           layer_blocks(problem, placed, layer_tolerance)};
@@ -316,7 +318,7 @@ LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const S
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const DiscretisedShape& discretised = *discretisation[k];
     // The block of a circle has the eigenvalues -1 and -1/2 only: its inverse saves no iterations.
-    if (is_iterated && !is_inner(discretisation[k]) &&
+    if (is_iterated && is_enclosing_wall(discretisation[k]) &&
         std::holds_alternative<Circle>(discretised.shape)) {
       members.push_back({{}, 0.0, discretised.curve.size()});
       continue;
