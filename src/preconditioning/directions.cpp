@@ -20,12 +20,23 @@ namespace {
 // together.
 constexpr float far_weight = 3.0F;
 
-// Expects both triangles of the Gram matrix. A pivoted Cholesky factorisation L L^T finds the range
-// of the matrix first, so that only L^T L is diagonalised.
-MatrixXf basis_of(double tau, MatrixXf gram) {
-  const Index n = gram.rows();
+}  // namespace
+
+void add_products(const MatrixXf& columns, MatrixXf& gram) {
+  if (columns.cols() > 0) gram.selfadjointView<Eigen::Lower>().rankUpdate(columns);
+}
+
+void add_far_couplings(const MatrixXf& expansions, const FarField& far_field, MatrixXf& gram) {
+  const VectorXf weights = far_weight * far_field.weights();
+  add_products(expansions * weights.asDiagonal(), gram);
+}
+
+// A Cholesky factorisation whose pivots are the largest diagonal entries.
+MatrixXf factor_of(double tau, MatrixXf gram) {
   const auto bound = static_cast<float>(tau * tau);
   constexpr float remainder = 0.16F;  // largest diagonal entry that is left, over tau^2
+  gram = MatrixXf(gram.selfadjointView<Eigen::Lower>());
+  const Index n = gram.rows();
   VectorXf diagonal = gram.diagonal();
   MatrixXf factor(n, n);
   Index rank = 0;
@@ -40,16 +51,18 @@ MatrixXf basis_of(double tau, MatrixXf gram) {
     diagonal -= column.cwiseAbs2();
     diagonal[pivot] = 0.0F;
   }
-  gram.resize(0, 0);  // frees the memory, which matters in the largest groups
-  if (rank == 0) return {n, 0};
-  const auto range = factor.leftCols(rank);
+  return factor.leftCols(rank);
+}
+
+MatrixXf basis_above(double tau, const MatrixXf& factor) {
+  if (factor.cols() == 0) return {factor.rows(), 0};
   // In double precision, because all libraries share the compiled solver.
-  const MatrixXd inner = MatrixXf(range.transpose() * range).cast<double>();
+  const MatrixXd inner = MatrixXf(factor.transpose() * factor).cast<double>();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(inner);
-  const Index count = (solver.eigenvalues().array() > bound).count();
-  if (count == 0) return {n, 0};
+  const Index count = (solver.eigenvalues().array() > tau * tau).count();
+  if (count == 0) return {factor.rows(), 0};
   const MatrixXf vectors = solver.eigenvectors().rightCols(count).cast<float>();
-  MatrixXf basis = range * vectors;
+  MatrixXf basis = factor * vectors;
   basis.colwise().normalize();
   // The columns are orthogonal but for rounding errors, which a step of Newton and Schulz squares.
   MatrixXf correction = -0.5F * (basis.transpose() * basis);
@@ -57,27 +70,8 @@ MatrixXf basis_of(double tau, MatrixXf gram) {
   return basis * correction;
 }
 
-}  // namespace
-
-void add_products(const MatrixXf& columns, MatrixXf& gram) {
-  if (columns.cols() > 0) gram.selfadjointView<Eigen::Lower>().rankUpdate(columns);
-}
-
-void add_far_couplings(const MatrixXf& expansions, const FarField& far_field, MatrixXf& gram) {
-  const VectorXf weights = far_weight * far_field.weights();
-  add_products(expansions * weights.asDiagonal(), gram);
-}
-
-MatrixXf basis_above(double tau, MatrixXf gram) {
-  gram = MatrixXf(gram.selfadjointView<Eigen::Lower>());
-  return basis_of(tau, std::move(gram));
-}
-
-MatrixXf basis_above(double tau, MatrixXf gram, const MatrixXf& other) {
-  gram = MatrixXf(gram.selfadjointView<Eigen::Lower>());
-  gram -= other * (other.transpose() * gram);
-  gram -= (gram * other) * other.transpose();
-  return basis_of(tau, std::move(gram));
+MatrixXf basis_above(double tau, const MatrixXf& factor, const MatrixXf& other) {
+  return basis_above(tau, factor - other * (other.transpose() * factor));
 }
 
 MatrixXf side_by_side(const MatrixXf& left, const MatrixXf& right) {

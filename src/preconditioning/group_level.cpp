@@ -18,6 +18,22 @@ using Eigen::MatrixXf;
 
 namespace {
 
+// Adds a product to a sum, which has no rows before the first.
+template <class Product>
+void add(const Product& product, MatrixXf& sum) {
+  if (sum.rows() > 0) {
+    sum.noalias() += product;
+  } else {
+    sum.noalias() = product;
+  }
+}
+
+// Multiplies the inverse of a group by columns. Without rows, it is the identity.
+MatrixXf times(const MatrixXf& inverse, const MatrixXf& columns) {
+  if (inverse.rows() == 0) return columns;
+  return inverse * columns;
+}
+
 // A level of groups whose children have been reduced.
 class Level {
  public:
@@ -53,13 +69,6 @@ class Level {
   MatrixXf inverse(Index a) const {
     if (is_single(a)) return {};
     return matrix(a).partialPivLu().inverse();
-  }
-
-  // Multiplies T^{-1} of a group by columns. Another factorisation costs less than keeping the
-  // inverses of all groups, which would take as much memory as their couplings.
-  MatrixXf solved(Index a, const MatrixXf& columns) const {
-    if (is_single(a)) return columns;
-    return matrix(a).partialPivLu().solve(columns);
   }
 
   MatrixXf outgoing(const Box& disk, Index a) const {
@@ -105,24 +114,48 @@ class Level {
         const MatrixXf* coupling = below_[i].coupling(static_cast<Index>(j));
         if (coupling == nullptr) continue;
         result.middleRows(place(target, i), coupling->rows()).noalias() +=
-            *coupling * columns.middleRows(place(source, j), coupling->cols());
+            *coupling * rows(columns, source, j);
       }
     }
     return result;
   }
 
-  // Multiplies all of the block by columns.
-  MatrixXf coupled(Index target, Index source, const MatrixXf& columns) const {
-    MatrixXf result = near_coupled(target, source, columns);
+  // Projects the incoming expansions of each child, side by side, onto the directions of a group.
+  MatrixXf felt_expansions(Index a, const MatrixXf& basis) const {
+    MatrixXf felt(basis.cols(), 0);
+    for (std::size_t i = first_child(a); i < last_child(a); ++i) {
+      felt = side_by_side(felt, rows(basis, a, i).transpose() * below_[i].incoming);
+    }
+    return felt;
+  }
+
+  // Assembles the coupling of two groups in their directions, Q^T B T^{-1} Q.
+  //
+  // @param  basis   Q of the target
+  // @param  felt    felt_expansions() of the target
+  // @param  solved  T^{-1} Q of the source
+  MatrixXf coupling(Index target, Index source, const MatrixXf& basis, const MatrixXf& felt,
+                    const MatrixXf& solved) const {
+    std::vector<MatrixXf> sent;
     for (std::size_t j = first_child(source); j < last_child(source); ++j) {
-      const MatrixXf multipole =
-          below_[j].outgoing * columns.middleRows(place(source, j), below_[j].width());
-      for (std::size_t i = first_child(target); i < last_child(target); ++i) {
-        if (below_[i].coupling(static_cast<Index>(j)) != nullptr) continue;
-        const MatrixXf local =
-            far_field_.multipole_to_local(below_[j].disk, below_[i].disk) * multipole;
-        result.middleRows(place(target, i), below_[i].width()).noalias() +=
-            below_[i].incoming * local;
+      sent.push_back(below_[j].outgoing * rows(solved, source, j));
+    }
+    MatrixXf result = MatrixXf::Zero(basis.cols(), solved.cols());
+    for (std::size_t i = first_child(target); i < last_child(target); ++i) {
+      MatrixXf near(0, solved.cols()), far(0, solved.cols());  // sums over the sources of child i
+      for (std::size_t j = first_child(source); j < last_child(source); ++j) {
+        if (const MatrixXf* block = below_[i].coupling(static_cast<Index>(j))) {
+          add(*block * rows(solved, source, j), near);
+        } else {
+          add(far_field_.multipole_to_local(below_[j].disk, below_[i].disk) *
+                  sent[j - first_child(source)],
+              far);
+        }
+      }
+      if (near.rows() > 0) result.noalias() += rows(basis, target, i).transpose() * near;
+      if (far.rows() > 0) {
+        const auto child = static_cast<Index>(i - first_child(target));
+        result.noalias() += felt.middleCols(child * far.rows(), far.rows()) * far;
       }
     }
     return result;
@@ -137,6 +170,9 @@ class Level {
     return static_cast<std::size_t>(groups_[static_cast<std::size_t>(a)].last_child);
   }
   Index place(Index a, std::size_t child) const { return first_[child] - first_[first_child(a)]; }
+  MatrixXf::ConstRowsBlockXpr rows(const MatrixXf& columns, Index a, std::size_t child) const {
+    return columns.middleRows(place(a, child), below_[child].width());
+  }
 
   const std::vector<Box>& groups_;
   const std::vector<ReducedGroup>& below_;
@@ -173,12 +209,10 @@ ReducedLevel reduce_groups(const std::vector<Box>& groups, std::vector<ReducedGr
     MatrixXf gram = MatrixXf::Zero(level.size(a), level.size(a));
     for (const Index b : near[own]) level.add_gram(b, a, gram);
     add_far_couplings(level.outgoing(groups[own], a).transpose(), far_field, gram);
-    if (inverse.size() > 0) {
-      const MatrixXf right = gram.selfadjointView<Eigen::Lower>() * inverse;
-      gram.noalias() = inverse.transpose() * right;
-    }
-    bases[own] = basis_above(settings.tolerance, std::move(gram));
-    solved[own] = inverse.size() > 0 ? MatrixXf(inverse * bases[own]) : bases[own];
+    MatrixXf factor = factor_of(settings.tolerance, std::move(gram));
+    if (inverse.rows() > 0) factor = inverse.transpose() * factor;
+    bases[own] = basis_above(settings.tolerance, factor);
+    solved[own] = times(inverse, bases[own]);
     result.inverses[own] = CompactMatrix(inverse);
     trim_after(a);
   }
@@ -194,13 +228,14 @@ ReducedLevel reduce_groups(const std::vector<Box>& groups, std::vector<ReducedGr
       add_products(level.near_coupled(a, b, solved[static_cast<std::size_t>(b)]), gram);
     }
     add_far_couplings(level.incoming(groups[own], a), far_field, gram);
-    felt[own] = basis_above(settings.tolerance, std::move(gram), bases[own]);
+    felt[own] =
+        basis_above(settings.tolerance, factor_of(settings.tolerance, std::move(gram)), bases[own]);
     trim_after(a);
   }
 #pragma omp parallel for schedule(dynamic)
   for (Index a = 0; a < count; ++a) {
     const auto own = static_cast<std::size_t>(a);
-    solved[own] = side_by_side(solved[own], level.solved(a, felt[own]));
+    solved[own] = side_by_side(solved[own], times(result.inverses[own].unpacked(), felt[own]));
     bases[own] = side_by_side(bases[own], felt[own]);
     felt[own].resize(0, 0);
     result.groups[own] = {groups[own],
@@ -215,9 +250,10 @@ ReducedLevel reduce_groups(const std::vector<Box>& groups, std::vector<ReducedGr
   for (Index a = 0; a < count; ++a) {
     const auto own = static_cast<std::size_t>(a);
     const MatrixXf basis = result.bases[own].unpacked();
+    const MatrixXf felt_of_children = level.felt_expansions(a, basis);
     for (const Index b : near[own]) {
-      const MatrixXf coupled = level.coupled(a, b, solved[static_cast<std::size_t>(b)]);
-      result.groups[own].couplings.push_back(basis.transpose() * coupled);
+      result.groups[own].couplings.push_back(
+          level.coupling(a, b, basis, felt_of_children, solved[static_cast<std::size_t>(b)]));
     }
     for (Index child = groups[own].first_child; child < groups[own].last_child; ++child) {
       std::vector<MatrixXf>().swap(children[static_cast<std::size_t>(child)].couplings);

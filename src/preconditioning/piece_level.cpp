@@ -177,7 +177,7 @@ ReducedLevel reduce_pieces(const StokesProblem& problem, const std::vector<Bound
     MatrixXf gram = MatrixXf::Zero(group.width(), group.width());
     add_products(block.transpose(), gram);
     add_far_couplings(group.outgoing.transpose(), far_field, gram);
-    bases[own] = basis_above(settings.tolerance, std::move(gram));
+    bases[own] = basis_above(settings.tolerance, factor_of(settings.tolerance, std::move(gram)));
     sent[own] = block * bases[own];
     if (!settings.is_large) blocks[own] = std::move(block);
   }
@@ -191,8 +191,8 @@ ReducedLevel reduce_pieces(const StokesProblem& problem, const std::vector<Bound
       add_products(sent[static_cast<std::size_t>(b)](near_blocks.rows(a, b), Eigen::all), gram);
     }
     add_far_couplings(group.incoming, far_field, gram);
-    bases[own] =
-        side_by_side(bases[own], basis_above(settings.tolerance, std::move(gram), bases[own]));
+    const MatrixXf factor = factor_of(settings.tolerance, std::move(gram));
+    bases[own] = side_by_side(bases[own], basis_above(settings.tolerance, factor, bases[own]));
   }
 #pragma omp parallel for schedule(dynamic)
   for (Index a = 0; a < count; ++a) {

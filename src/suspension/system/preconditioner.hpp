@@ -63,10 +63,10 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              const std::vector<PlacedCurve>& placed,
                                              ClusterForm form = ClusterForm::resistance);
 
-/// Chooses which couplings of groups are expansions, and how much is left out: less of each
-/// component where there are more than 500, so that the number of iterations hardly grows
-/// (@ref claim_13_15); other numbers where there are at least as many contacts as components, which
-/// make a stiff network.
+/// Chooses which couplings of groups are expansions, and how much is left out: less where there are
+/// more than 500 components, so that the number of iterations hardly grows (@ref claim_13_15);
+/// other numbers where there are at least as many contacts as components, which make a stiff
+/// network.
 HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
                                      const Discretisation& discretisation);
 
