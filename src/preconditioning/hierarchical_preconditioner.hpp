@@ -21,7 +21,7 @@ struct HierarchySettings {
   double tolerance = 0.6;  ///< tau of single components, and of arcs of walls
   /// tau of groups of four; that of larger groups falls by 0.6 from level to level, down to 0.06.
   /// Below 0.05 rounding in single precision shows.
-  double group_tolerance = 0.33;
+  double group_tolerance = 0.3;
   /// Couplings of groups at larger distances of their centres, over the sum of their radii, are
   /// expansions; > 1.
   double reach = 1.2;

@@ -273,11 +273,11 @@ HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
                                      const Discretisation& discretisation) {
   const bool is_stiff = pairs_within(touching, inner_gaps(gaps, discretisation), discretisation) >=
                         discretisation.size();
-  if (is_stiff) return {.tolerance = 0.55, .reach = 1.5};
+  if (is_stiff) return {.tolerance = 0.55, .group_tolerance = 0.33, .reach = 1.5};
   // With the same tolerances, iterations would grow with the number of components.
   constexpr double few = 500.0;
   const double times = std::max(1.0, static_cast<double>(discretisation.size()) / few);
-  const double fall = std::pow(times, -1.0 / 9.0);
+  const double fall = std::pow(times, -0.1);
   HierarchySettings settings;
   settings.tolerance *= fall;
   settings.group_tolerance *= fall;
