@@ -151,13 +151,26 @@ std::vector<Case> loaded_by_disks() {
   return cases;
 }
 
-std::vector<Case> loaded_by_fraction() {
+std::vector<Case> loaded_by_fraction(unsigned seed = 1) {
   std::vector<Case> cases;
   for (const double fraction : {0.35, 0.5, 0.65, 0.7, 0.8}) {
-    cases.push_back({fraction, "loaded 500 " + std::to_string(fraction),
-                     [=] { return test::loaded_packing(500, fraction); }, false, 1e-7});
+    cases.push_back({fraction,
+                     "loaded 500 " + std::to_string(fraction) + " " + std::to_string(seed),
+                     [=] { return test::loaded_packing(500, fraction, seed); }, false, 1e-7});
   }
   return cases;
+}
+
+// The largest number of iterations among ten packings of each area fraction.
+std::vector<Measurement> most_of_ten_packings(Size size) {
+  std::vector<Measurement> most = counts(loaded_by_fraction(), Kind::hierarchical)(size);
+  for (unsigned seed = 2; seed <= 10; ++seed) {
+    const auto more = counts(loaded_by_fraction(seed), Kind::hierarchical)(size);
+    for (std::size_t k = 0; k < most.size(); ++k) {
+      most[k].error = std::max(most[k].error, more[k].error);
+    }
+  }
+  return most;
 }
 
 std::vector<Case> in_containers() {
@@ -374,7 +387,10 @@ Experiment packing_fractions() {
                                  .reason = "less is left out where contacts make a stiff network",
                                  .api = {"stokesbook::hierarchy_settings"}},
                   .control = Control{"block-diagonal",
-                                     counts(loaded_by_fraction(), Kind::block_diagonal)}}}});
+                                     counts(loaded_by_fraction(), Kind::block_diagonal)}},
+                 {.key = "ten",
+                  .label = "tree of groups, the most of ten packings",
+                  .measure = most_of_ten_packings}}});
 }
 
 Experiment packing_prices() {
