@@ -235,6 +235,7 @@ ReducedLevel reduce_groups(const std::vector<Box>& groups, std::vector<ReducedGr
 #pragma omp parallel for schedule(dynamic)
   for (Index a = 0; a < count; ++a) {
     const auto own = static_cast<std::size_t>(a);
+    // The rounded inverse will do: each iteration applies it, too.
     solved[own] = side_by_side(solved[own], times(result.inverses[own].unpacked(), felt[own]));
     bases[own] = side_by_side(bases[own], felt[own]);
     felt[own].resize(0, 0);
