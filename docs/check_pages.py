@@ -43,6 +43,7 @@ TYPED_RESULT = re.compile(
     r"|(?<![\w.])(?=\d*\.\d)(?=[0.]*[1-9](?:\.?\d){3})\d+\.\d+(?!\.?\w)"
     r"|(?<![\w.])\d+(?:\.\d+)?\s*(?:iterations?|seconds?|ms|µs|s)\b")
 EQUATION_NUMBER = re.compile(r"\((?:0[1-9]|1[0-4])\.\d{1,2}\)")  # (01.10)
+EQUATION_TAG = re.compile(r"\\tag\{\d\d\.(\d+)\}")
 TYPED_MANTISSA = re.compile(r"\d\.\d+\s*(?:\\,)?\\(?:cdot|times)\s*10\s*\^")
 
 
@@ -164,6 +165,10 @@ def chapter_violations(name, text):
     violations += [f"{name}:{prose.count(chr(10), 0, match.end()) + 1}: {match[1]} begins a line of a "
                    "paragraph, and would become an item of a list"
                    for match in ITEM_IN_PARAGRAPH.finditer(prose)]
+    violations += [f"{name}:{text.count(chr(10), 0, match.start()) + 1}: {match[0]}: this is "
+                   f"equation {place} of the chapter"
+                   for place, match in enumerate(EQUATION_TAG.finditer(text), 1)
+                   if int(match[1]) != place]
     return violations
 
 

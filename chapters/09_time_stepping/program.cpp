@@ -27,7 +27,7 @@ VectorXd turning(double, const VectorXd& q) {
   return VectorXd{{-(9.0 * s * s + c * c) / 10.0}};
 }
 
-/// A point in the flow (y, 0) past a free disk of radius 1 at the origin (09.11).
+/// A point in the flow (y, 0) past a free disk of radius 1 at the origin (09.12).
 VectorXd carried(double, const VectorXd& q) {
   const double x = q[0], y = q[1], r2 = x * x + y * y, r4 = r2 * r2;
   const double strain = 0.5 * (1.0 - 1.0 / r4), radial = -2.0 * x * y * (r2 - 1.0) / (r4 * r2);

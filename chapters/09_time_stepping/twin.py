@@ -10,7 +10,7 @@ import numpy as np
 
 
 def rate(q):
-    """The velocity (09.11) at a point of the shear flow past a free disk of radius 1."""
+    """The velocity (09.12) at a point of the shear flow past a free disk of radius 1."""
     E_q, square = 0.5 * q[::-1], q @ q
     return (0.5 * q[::-1] * [1, -1] + (1 - square ** -2) * E_q
             - 2 * (q @ E_q) * (square - 1) / square ** 3 * q)
@@ -31,8 +31,8 @@ def run(q, t_end, tolerance, h):
     while t < t_end:
         h = (t_end - t) / np.ceil((t_end - t) / h - 1e-9)  # equal steps up to the end
         end, k_end, delta = step(q, k, h)
-        e = np.max(abs(delta)) / tolerance  # (09.8)
-        factor = 0.9 * e ** (-0.7 / 3) * max(e_before, 1e-4) ** (0.4 / 3)  # (09.9) with m = 3
+        e = np.max(abs(delta)) / tolerance  # (09.9)
+        factor = 0.9 * e ** (-0.7 / 3) * max(e_before, 1e-4) ** (0.4 / 3)  # (09.10) with m = 3
         factor = np.clip(factor, 0.2, 5.0)
         if e <= 1:
             t, q, k, e_before = t + h, end, k_end, e

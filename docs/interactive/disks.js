@@ -34,7 +34,7 @@
     return path;
   }
 
-  // Bogacki and Shampine's pair with the control (09.9). Steps that overlap are halved, as in chapter 09.
+  // Bogacki and Shampine's pair with the control (09.10). Steps that overlap are halved, as in chapter 09.
   function controlledPath(start, tolerance) {
     const path = [[0, start]];
     let length, previous = 1;

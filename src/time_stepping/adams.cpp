@@ -1,5 +1,5 @@
 // Advances by one step of Adams-Bashforth 2 with variable step lengths (09.5), and estimates the
-// error of any step by the implicit formula of Adams (09.16), without another evaluation of the
+// error of any step by the implicit formula of Adams (09.8), without another evaluation of the
 // rate.
 #include "time_stepping/adams.hpp"
 

@@ -25,7 +25,7 @@ Eigen::VectorXd adams_bashforth2_step(const TimePoint& start, double dt,
 /// Estimates the error of a step by the implicit formula of Adams: integrates the parabola through
 /// the rates at both ends of the step and at the beginning of the previous step,
 /// \f$ q_0 + h\left[\tfrac12(f_0 + f_1) - \tfrac16d\right] - q_1 \f$ with
-/// \f$ d = \frac{r}{1+r}\left[f_1 - f_0 - r(f_0 - f_{-1})\right],\ r = h/h_{-1} \f$ (09.16).
+/// \f$ d = \frac{r}{1+r}\left[f_1 - f_0 - r(f_0 - f_{-1})\right],\ r = h/h_{-1} \f$ (09.8).
 ///
 /// @param  previous  none: the rate is interpolated by a straight line, d = 0
 /// @return           corrected end minus end of the step

@@ -1,4 +1,4 @@
-// Interpolates the state within a step by Hermite's cubic and a quartic bubble (09.10).
+// Interpolates the state within a step by Hermite's cubic and a quartic bubble (09.11).
 #include "time_stepping/step.hpp"
 
 namespace stokesbook {
@@ -6,7 +6,7 @@ namespace stokesbook {
 using Eigen::VectorXd;
 
 // [interpolate]
-// (09.10) with s = theta
+// (09.11) with s = theta
 VectorXd interpolate(const Step& step, double t) {
   const double h = step.dt(), s = (t - step.start.t) / h, r = 1.0 - s;
   const VectorXd change = step.end.state - step.start.state;

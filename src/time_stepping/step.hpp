@@ -29,14 +29,14 @@ struct TimePoint {
 struct Step {
   TimePoint start;              ///< n numbers
   TimePoint end;                ///< later than the start
-  Eigen::VectorXd bubble = {};  ///< beta of (09.10), n numbers; empty: no bubble
+  Eigen::VectorXd bubble = {};  ///< beta of (09.11), n numbers; empty: no bubble
 
   double dt() const { return end.t - start.t; }  ///< returns the length h > 0 of the step, time
 };
 
 /// Evaluates the solution at a time t within a step: the cubic through states and rates at both
 /// ends, plus \f$ \theta^2(1 - \theta)^2\,h \f$ times the bubble at
-/// \f$ \theta = (t - t_0)/h \f$ (09.10).
+/// \f$ \theta = (t - t_0)/h \f$ (09.11).
 ///
 /// @par Accuracy  the error within one step is of order h^4 for the cubic, as the error of a step
 ///                by Bogacki and Shampine: @ref claim_09_15; of order h^5 with the bubble of

@@ -1,5 +1,5 @@
-// Measures errors of steps (09.8), and chooses the length of the first step and of each following
-// step (09.9).
+// Measures errors of steps (09.9), and chooses the length of the first step and of each following
+// step (09.10).
 #include "time_stepping/step_control.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ double ErrorBound::in_units_of_scale(const VectorXd& error) const {
 }
 
 // [factor]
-// 0.9 e_n^(-0.7/m) e_(n-1)^(0.4/m), bounded (09.9)
+// 0.9 e_n^(-0.7/m) e_(n-1)^(0.4/m), bounded (09.10)
 double step_factor(double error, double previous, int order) {
   constexpr double safety = 0.9, least = 0.2, most = 5.0;
   const double history = std::pow(std::max(previous, 1e-4), 0.4 / order);

@@ -12,7 +12,7 @@ struct ErrorBound {
   /// Returns the largest |error_i| / scale_i.
   double in_units_of_scale(const Eigen::VectorXd& error) const;
 
-  /// Returns the error over the error that is allowed (09.8): the largest
+  /// Returns the error over the error that is allowed (09.9): the largest
   /// |error_i| / (tolerance scale_i).
   double operator()(const Eigen::VectorXd& error) const {
     return in_units_of_scale(error) / tolerance;
@@ -20,7 +20,7 @@ struct ErrorBound {
 };
 
 /// Computes the ratio of the next step's length to the last one's from the errors of two steps:
-/// \f$ 0.9\,e_n^{-0.7/m}\,e_{n-1}^{0.4/m} \f$ (09.9), at least 1/5 and at most 5.
+/// \f$ 0.9\,e_n^{-0.7/m}\,e_{n-1}^{0.4/m} \f$ (09.10), at least 1/5 and at most 5.
 ///
 /// The power of \f$ e_{n-1} \f$ damps the alternation of steps that are too long and too short.
 /// @param  error     e_n, the scaled error of the last step

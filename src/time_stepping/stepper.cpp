@@ -47,7 +47,7 @@ double choose_step_end(double t, double event, double longest) {
 }
 
 // The end by (09.5), (09.6) or GSL, and an estimate that includes the rate at the end: of the form
-// (09.7), or (09.16) if the method has no estimate of its own.
+// (09.7), or (09.8) if the method has no estimate of its own.
 StepResult Stepper::attempt(const TimePoint& start, double t_end, const StepMemory& memory) const {
   const double dt = t_end - start.t;
   const Tableau& tableau = tableau_of(settings_.method);

@@ -78,6 +78,12 @@ class Chapters(unittest.TestCase):
         self.assert_found("````sh\n```\n````\n\n## One\n\n## Two\n\nText.\n", "chapter.md:7")
         self.assertEqual(chapter("## One\n\n````sh\n```\n# no heading\n# nor this\n````\n"), [])
 
+    def test_order_of_equations(self):
+        first, second = "\\f[ x = 1 \\tag{01.1} \\f]\n", "\\f[ x = 2 \\tag{01.2} \\f]\n"
+        self.assertEqual(chapter(first + second), [])
+        self.assert_found(second, "chapter.md:3", "this is equation 1")
+        self.assert_found(first + first, "chapter.md:4", "this is equation 2")
+
     def test_text_of_link_on_one_line(self):
         self.assert_found("See (@ref claim_01_2 \"claim\n01_2\").\n", "chapter.md:3", "one line")
         self.assertEqual(chapter("See (@ref claim_01_2 \"claim 01_2\") and \"a quotation\nhere\".\n"),

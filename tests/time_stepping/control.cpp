@@ -1,4 +1,4 @@
-// Checks the step control (09.8), (09.9): embedded methods reach the required error, and their
+// Checks the step control (09.9), (09.10): embedded methods reach the required error, and their
 // errors are not far smaller, in any units; steps end exactly at events; steps are halved at
 // inadmissible states; memory and time point suffice to continue.
 

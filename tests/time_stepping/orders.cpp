@@ -1,4 +1,4 @@
-// Checks that methods, estimates (09.7) and interpolants (09.10) have exactly their orders, on
+// Checks that methods, estimates (09.7) and interpolants (09.11) have exactly their orders, on
 // nonlinear equations with known solutions, with constant and with variable steps.
 
 #include <algorithm>

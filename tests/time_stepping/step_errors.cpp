@@ -1,4 +1,4 @@
-// Checks that estimates of a step's error (09.7), (09.16) are close to the error for fixed steps of
+// Checks that estimates of a step's error (09.7), (09.8) are close to the error for fixed steps of
 // low order, and larger than the error for all other methods.
 
 #include <functional>

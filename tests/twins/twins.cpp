@@ -251,7 +251,7 @@ void chapter_08() {
 }
 
 void chapter_09() {
-  const Rate carried = [](double, const VectorXd& q) -> VectorXd {  // (09.11)
+  const Rate carried = [](double, const VectorXd& q) -> VectorXd {  // (09.12)
     const double x = q[0], y = q[1], r2 = q.squaredNorm();
     const double strain = 0.5 * (1.0 - 1.0 / (r2 * r2)),
                  radial = -2.0 * x * y * (r2 - 1.0) / (r2 * r2 * r2);

@@ -1,5 +1,5 @@
 // Guesses the density of an instant: extrapolates earlier densities, in the frames of their
-// components, by the polynomial in time through them (09.15).
+// components, by the polynomial in time through them (09.13).
 #include "suspension/solver/density_history.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 // both would amplify the errors that GMRES leaves.
 constexpr double same_time = 1e-6;
 
-// Weight w_k (09.15) of the value at time k in the polynomial through the values at some times.
+// Weight w_k (09.13) of the value at time k in the polynomial through the values at some times.
 double lagrange_weight(const std::vector<double>& times, std::size_t k, double t) {
   double weight = 1.0;
   for (std::size_t m = 0; m < times.size(); ++m) {
@@ -81,7 +81,7 @@ MatrixXcd DensityHistory::guess(double t, const Configuration& configuration,
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const DiscretisedShape& to = *discretisation[k];
     auto sum = result.middleRows(own, to.resolution.n_nodes);
-    // The sum over e of w_e eta(t_e) (09.15), in the frame of component k.
+    // The sum over e of w_e eta(t_e) (09.13), in the frame of component k.
     for (std::size_t e = 0; e < entries_.size(); ++e) {
       const Resolution& from = entries_[e].resolutions[k];
       sum += lagrange_weight(times, e, t) *

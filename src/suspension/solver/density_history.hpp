@@ -14,7 +14,7 @@ namespace stokesbook {
 ///
 /// In the frame of its body, a density changes little and smoothly while bodies move. Its values at
 /// points of the body are extrapolated by the polynomial in time through all densities that are
-/// kept (09.15).
+/// kept (09.13).
 class DensityHistory {
  public:
   /// Creates an empty history, which keeps at most `most` >= 1 times; the polynomial's degree is

@@ -78,7 +78,7 @@ void check_steps(int p, double digits) {
            {std::pow(10.0, digits * p), "digits over p, not times p"}}});
 }
 
-// By the product of (09.15), with the lengths of steps as the unit of time, for the time 0.
+// By the product of (09.13), with the lengths of steps as the unit of time, for the time 0.
 void check_guess(int count) {
   VectorXd exact = VectorXd::Ones(count);
   for (int j = 0; j < count; ++j) {
