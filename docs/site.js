@@ -71,11 +71,16 @@ function found(index, query, words) {
   });
 })();
 
-// In the index of claims, powers are set as such: e^{-d N}, N^-2 and |x|^(3/2).
+// In the index of claims, powers are set as such: e^{-d N}, N^-2 and |x|^(3/2), and so are Greek letters and
+// indices: eta, Gamma_0.
+const greek = {alpha: "α", beta: "β", gamma: "γ", Gamma: "Γ", delta: "δ", eta: "η", theta: "θ", kappa: "κ",
+               lambda: "λ", mu: "μ", pi: "π", rho: "ρ", sigma: "σ", phi: "φ", psi: "ψ", omega: "ω"};
+const letter = new RegExp(`\\b(${Object.keys(greek).join("|")})(?![a-z])`, "g");
 for (const element of document.querySelectorAll(".claim p, .claim summary, .claim li")) {
   for (const node of [...element.childNodes].filter(node => node.nodeType === Node.TEXT_NODE)) {
     const text = node.textContent.replace(/[&<>]/g, c => `&#${c.charCodeAt(0)};`);
-    const set = text.replace(/\^(?:\{([^}]*)\}|\(([^)]*)\)|(-?\w+(?:\.\d+)?))/g, "<sup>$1$2$3</sup>");
+    const set = text.replace(/\^(?:\{([^}]*)\}|\(([^)]*)\)|(-?\w+(?:\.\d+)?))/g, "<sup>$1$2$3</sup>")
+      .replace(letter, name => greek[name]).replace(/([A-Zα-ω]|Γ)_(\w)\b/gu, "$1<sub>$2</sub>");
     if (set !== text) node.replaceWith(document.createRange().createContextualFragment(set));
   }
 }
