@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "record/svg.hpp"
 #include "text/number_text.hpp"
@@ -18,6 +19,7 @@ namespace {
 constexpr double width = 520.0;
 constexpr double left = 62.0, right = 504.0, top = 34.0, bottom = 314.0;  ///< edges of the frame
 constexpr double legend_row = 19.0;
+constexpr double label_height = 16.0;
 constexpr double marker = 3.6;         ///< half the size of a point
 constexpr double bar = 10.0;           ///< width of a colour bar, left of the frame
 constexpr std::size_t label_row = 60;  ///< letters that fit into one row above the plot
@@ -241,6 +243,22 @@ std::string draw_guide(const Guide& guide, const Layout& layout) {
                     "text-anchor=\"end\"");
 }
 
+/// Draws the guides; of triangles with the same slope that would cover each other, only the first.
+std::string draw_guides(const std::vector<Guide>& guides, const Layout& layout) {
+  std::string svg;
+  std::vector<std::pair<std::string, Complex>> triangles;  // slope and place
+  for (const Guide& guide : guides) {
+    const Complex place = layout.pixel(guide.from);
+    const bool is_covered = std::ranges::any_of(triangles, [&](const auto& triangle) {
+      return triangle.first == guide.slope && std::abs(triangle.second - place) < label_height;
+    });
+    if (is_covered) continue;
+    if (!guide.slope.empty()) triangles.emplace_back(guide.slope, place);
+    svg += draw_guide(guide, layout);
+  }
+  return svg;
+}
+
 /// Draws a colour bar, and each line as a row of cells below its label.
 std::string draw_cells(const Plot& plot, const Layout& layout) {
   std::string svg = svg::colour_bar(viridis, {left - bar, top}, {bar - 2.0, bottom - top});
@@ -286,7 +304,7 @@ std::string draw_plot(const Plot& plot) {
     floors += svg::line({left, y}, {right, y});
   }
   svg += svg::path(floors, "fill=\"none\" stroke=\"currentColor\" stroke-dasharray=\"1.5 4\"");
-  for (const Guide& guide : plot.guides) svg += draw_guide(guide, *layout);
+  svg += draw_guides(plot.guides, *layout);
   for (std::size_t k = 0; k < plot.lines.size(); ++k) svg += draw_line(plot.lines[k], k, *layout);
   return svg + legend(plot) + "</svg>\n";
 }

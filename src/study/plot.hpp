@@ -44,9 +44,10 @@ struct Plot {
 ///
 /// The function does not use gnuplot or Matplotlib, because the colours in their SVG cannot follow
 /// the page, and because they have no slope triangles; the rest of a plot is a scale and some
-/// paths. Points that a logarithmic axis cannot show are left out; zeros of y lie on the lower
-/// edge. A heat map has neither guides nor floors. Lines of more than 40 points have markers at some
-/// of their points. A plot without any point that can be shown becomes a sentence.
+/// paths. Of slope triangles with the same number that would cover each other, one is drawn. Points
+/// that a logarithmic axis cannot show are left out; zeros of y lie on the lower edge. A heat map
+/// has neither guides nor floors. Lines of more than 40 points have markers at some of their
+/// points. A plot without any point that can be shown becomes a sentence.
 std::string draw_plot(const Plot& plot);
 
 }  // namespace stokesbook::study

@@ -265,6 +265,17 @@ BOOST_AUTO_TEST_CASE(laws_are_drawn_as_their_axes_have_it) {
   BOOST_TEST(count(dashed, "stroke-dasharray=\"1.5 4\"") == 1);
 }
 
+BOOST_AUTO_TEST_CASE(triangles_with_the_same_slope_do_not_cover_each_other) {
+  Plot plot = decay({{8, 1e-1}, {128, 1e-9}});
+  plot.guides = {{0, {16, 1e-3}, {64, 1e-6}, "5"},
+                 {0, {16, 1.2e-3}, {64, 1.2e-6}, "5"},  // covers the first
+                 {0, {16, 1.2e-3}, {64, 1.2e-7}, "7"},  // has another slope
+                 {0, {16, 1e-5}, {64, 1e-8}, "5"}};     // is far below
+  const std::string svg = draw_plot(plot);
+  BOOST_TEST(count(svg, ">5</text>") == 2);
+  BOOST_TEST(count(svg, ">7</text>") == 1);
+}
+
 BOOST_AUTO_TEST_CASE(an_inconclusive_claim_has_no_guide) {
   Study study = sample_study();
   Claim& claim = *study.experiments[0].lines[0].claim;
