@@ -30,8 +30,9 @@ void print(std::ostream& out, const Row& row) {
 }
 
 void write_table(std::ostream& out, const std::vector<Row>& rows) {
-  out << "<div class=\"study-table\"><table>\n<tr><th></th><th class=\"sentence\">problem</th><th>tolerance</th>"
-         "<th>error</th><th>estimate</th><th>iterations</th><th></th></tr>\n";
+  out << "<div class=\"study-table\"><table>\n"
+         "<tr><th></th><th class=\"sentence\">problem</th><th>tolerance</th><th>error</th>"
+         "<th>estimate</th><th>iterations</th><th></th></tr>\n";
   for (const Row& row : rows) {
     const auto& [hard, finding, seconds] = row;
     out << "<tr><td>" << hard.chapter << "</td><td>" << study::escaped(hard.asked) << "</td>";
