@@ -117,7 +117,7 @@ Experiment growth_of_iterations() {
                                               "of 0.001 and more, take at most a fifth more "
                                               "iterations than packings of 500.",
                                  .law = AtMost{1.2},
-                                 .reason = "the more disks there are, the less is left out of each",
+                                 .reason = "the more disks there are, the less is left out",
                                  .api = {"stokesbook::hierarchy_settings"}},
                   .control = Control{"as much left out as in small packings",
                                      growth({1000, 2000, 3000}, iterations_at_one_tolerance)}}}});
