@@ -71,6 +71,14 @@ class Level {
     return matrix(a).partialPivLu().inverse();
   }
 
+  // Multiplies T^{-1} of a group by columns. Another factorisation costs less than keeping the
+  // inverses of all groups, which would take as much memory as their couplings. The rounded inverse
+  // is not accurate enough: couplings that were computed with it would be amplified above.
+  MatrixXf solved(Index a, const MatrixXf& columns) const {
+    if (is_single(a)) return columns;
+    return matrix(a).partialPivLu().solve(columns);
+  }
+
   MatrixXf outgoing(const Box& disk, Index a) const {
     MatrixXf outgoing(far_field_.size(), size(a));
     for (std::size_t i = first_child(a); i < last_child(a); ++i) {
@@ -235,8 +243,7 @@ ReducedLevel reduce_groups(const std::vector<Box>& groups, std::vector<ReducedGr
 #pragma omp parallel for schedule(dynamic)
   for (Index a = 0; a < count; ++a) {
     const auto own = static_cast<std::size_t>(a);
-    // The rounded inverse will do: each iteration applies it, too.
-    solved[own] = side_by_side(solved[own], times(result.inverses[own].unpacked(), felt[own]));
+    solved[own] = side_by_side(solved[own], level.solved(a, felt[own]));
     bases[own] = side_by_side(bases[own], felt[own]);
     felt[own].resize(0, 0);
     result.groups[own] = {groups[own],
