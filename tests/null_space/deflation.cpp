@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(condition_number_of_the_unscaled_term) {
     const Curve wall = circle(radius);
     return condition_number(layer_with_jump(wall) - perimeter(wall) * null_space_matrix(wall));
   };
-  const double pi = std::numbers::pi;
+  using std::numbers::pi;
   BOOST_TEST(condition(0.03) == 1.0 / (2 * pi * 0.03), boost::test_tools::tolerance(1e-12));
   BOOST_TEST(condition(3.0) == 2 * (2 * pi * 3.0), boost::test_tools::tolerance(1e-12));
   BOOST_TEST(condition(300.0) == 2 * (2 * pi * 300.0), boost::test_tools::tolerance(1e-11));

@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_SUITE(incompatible_data)
 // The inner wall's source is -2 pi 0.5 0.8. On the enclosing ellipse of area 6.6 pi the velocity
 // 0.1 x has the divergence 0.2, and i conj(x) = (y, x) has no divergence.
 BOOST_AUTO_TEST_CASE(net_flux_is_reported) {
-  const double pi = std::numbers::pi;
+  using std::numbers::pi;
   const double exact = -2 * pi * 0.5 * 0.8 + 0.2 * pi * 3 * 2.2;
   BOOST_TEST(net_flux(leaking()) == exact, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(std::abs(net_flux(repaired())) < 1e-13);

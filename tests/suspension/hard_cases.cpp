@@ -21,7 +21,7 @@ Scene circle_pair(double gap, double tolerance) {
 // Returns a five-armed star with an arm in the valley between two arms of another star.
 Scene tip_in_valley(int n_nodes, const BackgroundFlow& flow, double tolerance) {
   const Star star{1, 0.25, 5};
-  const double pi = std::numbers::pi;
+  using std::numbers::pi;
   Scene pair = scene({body(star, n_nodes, {}, pi / 5), body(star, n_nodes, 2.05, pi)}, flow);
   pair.solver.tolerance = tolerance;
   return pair;

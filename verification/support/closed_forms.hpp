@@ -19,7 +19,7 @@ inline RigidMotion loaded_ellipse(const Ellipse& ellipse, double orientation, co
   const Complex force = load.force / turn;
   const double mean = -std::log((a + b) / (2.0 * ell));
   const Complex velocity{(mean + a / (a + b)) * force.real(), (mean + b / (a + b)) * force.imag()};
-  const double pi = std::numbers::pi;
+  using std::numbers::pi;
   return {turn * velocity / (4.0 * pi * mu), load.torque / (2.0 * pi * mu * (a * a + b * b))};
 }
 
