@@ -28,12 +28,6 @@ void add(const Product& product, MatrixXf& sum) {
   }
 }
 
-// Multiplies the inverse of a group by columns. Without rows, it is the identity.
-MatrixXf times(const MatrixXf& inverse, const MatrixXf& columns) {
-  if (inverse.rows() == 0) return columns;
-  return inverse * columns;
-}
-
 // A level of groups whose children have been reduced.
 class Level {
  public:
@@ -118,12 +112,8 @@ class Level {
   MatrixXf near_coupled(Index target, Index source, const MatrixXf& columns) const {
     MatrixXf result = MatrixXf::Zero(size(target), columns.cols());
     for (std::size_t i = first_child(target); i < last_child(target); ++i) {
-      for (std::size_t j = first_child(source); j < last_child(source); ++j) {
-        const MatrixXf* coupling = below_[i].coupling(static_cast<Index>(j));
-        if (coupling == nullptr) continue;
-        result.middleRows(place(target, i), coupling->rows()).noalias() +=
-            *coupling * rows(columns, source, j);
-      }
+      const MatrixXf near = near_sum(i, source, columns);
+      if (near.rows() > 0) result.middleRows(place(target, i), near.rows()) = near;
     }
     return result;
   }
@@ -150,17 +140,15 @@ class Level {
     }
     MatrixXf result = MatrixXf::Zero(basis.cols(), solved.cols());
     for (std::size_t i = first_child(target); i < last_child(target); ++i) {
-      MatrixXf near(0, solved.cols()), far(0, solved.cols());  // sums over the sources of child i
-      for (std::size_t j = first_child(source); j < last_child(source); ++j) {
-        if (const MatrixXf* block = below_[i].coupling(static_cast<Index>(j))) {
-          add(*block * rows(solved, source, j), near);
-        } else {
-          add(far_field_.multipole_to_local(below_[j].disk, below_[i].disk) *
-                  sent[j - first_child(source)],
-              far);
-        }
-      }
+      const MatrixXf near = near_sum(i, source, solved);
       if (near.rows() > 0) result.noalias() += rows(basis, target, i).transpose() * near;
+      MatrixXf far(0, solved.cols());  // local expansions about child i
+      for (std::size_t j = first_child(source); j < last_child(source); ++j) {
+        if (below_[i].coupling(static_cast<Index>(j)) != nullptr) continue;
+        add(far_field_.multipole_to_local(below_[j].disk, below_[i].disk) *
+                sent[j - first_child(source)],
+            far);
+      }
       if (far.rows() > 0) {
         const auto child = static_cast<Index>(i - first_child(target));
         result.noalias() += felt.middleCols(child * far.rows(), far.rows()) * far;
@@ -178,6 +166,16 @@ class Level {
     return static_cast<std::size_t>(groups_[static_cast<std::size_t>(a)].last_child);
   }
   Index place(Index a, std::size_t child) const { return first_[child] - first_[first_child(a)]; }
+  // Multiplies the blocks of a child from the near children of a source by columns. Without rows if
+  // no child of the source is near.
+  MatrixXf near_sum(std::size_t child, Index source, const MatrixXf& columns) const {
+    MatrixXf sum(0, columns.cols());
+    for (std::size_t j = first_child(source); j < last_child(source); ++j) {
+      const MatrixXf* block = below_[child].coupling(static_cast<Index>(j));
+      if (block != nullptr) add(*block * rows(columns, source, j), sum);
+    }
+    return sum;
+  }
   MatrixXf::ConstRowsBlockXpr rows(const MatrixXf& columns, Index a, std::size_t child) const {
     return columns.middleRows(place(a, child), below_[child].width());
   }
@@ -220,7 +218,7 @@ ReducedLevel reduce_groups(const std::vector<Box>& groups, std::vector<ReducedGr
     MatrixXf factor = factor_of(settings.tolerance, std::move(gram));
     if (inverse.rows() > 0) factor = inverse.transpose() * factor;
     bases[own] = basis_above(settings.tolerance, factor);
-    solved[own] = times(inverse, bases[own]);
+    solved[own] = inverse.rows() > 0 ? MatrixXf(inverse * bases[own]) : bases[own];
     result.inverses[own] = CompactMatrix(inverse);
     trim_after(a);
   }
