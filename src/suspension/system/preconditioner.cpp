@@ -25,8 +25,8 @@ using Eigen::MatrixXd;
 
 namespace {
 
-// Largest gap of contacts, over the smaller radius of gyration.
-constexpr double touching = 0.05;
+// Wide, narrow and tight gaps are at most that large, over the smaller radius of gyration.
+constexpr double wide = 0.5, narrow = 0.05, tight = 0.005;
 
 // Tolerance of the layers between components: a preconditioner may have errors of this size.
 constexpr double layer_tolerance = 1e-3;
@@ -156,7 +156,7 @@ bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
   // factorisation pays.
   const bool has_tree = plan.tree_allowed && std::ranges::none_of(discretisation, is_prescribed);
   const Index most_nodes_at_gaps = has_tree ? 400 : most_nodes;
-  const double tight = has_tree ? 0.003 : 0.02;
+  const double largest_gap = has_tree ? 0.003 : 0.02;
   constexpr double in_contact = 1.1;  // gaps of pairs that a step may press together / separation
   Index nodes = 0;
   for (const auto& discretised : discretisation) nodes += discretised->curve.size();
@@ -165,19 +165,18 @@ bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
       gaps, [&](const Gap& gap) { return gap.points.gap < in_contact * separation; });
   return nodes <= most_nodes_a_contact * contacts ||
          (nodes <= most_nodes_at_gaps &&
-          3 * pairs_within(tight, gaps, discretisation) >= discretisation.size());
+          3 * pairs_within(largest_gap, gaps, discretisation) >= discretisation.size());
 }
 
 bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
                const Discretisation& discretisation) {
   constexpr Index most_nodes = 256;
-  // Gaps, over the smaller radius of gyration, that slow GMRES down so much that a tree pays, if
-  // there is one for this number of components.
-  constexpr double tight = 0.005, narrow = 0.05;
+  // Tight or narrow gaps slow GMRES down so much that a tree pays, if there is one for this number
+  // of components.
   constexpr std::size_t components_a_tight_gap = 60, components_a_narrow_gap = 12;
   // Many wide gaps between many components do so, too. The number of iterations and the time of
   // each grow with the number of digits.
-  constexpr double wide = 0.5, many = 245e3;
+  constexpr double many = 245e3;
   if (std::ranges::any_of(discretisation, [](const auto& discretised) {
         return is_inner(discretised) && discretised->curve.size() > most_nodes;
       })) {
@@ -201,7 +200,6 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
 }
 
 bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
-  constexpr double tight = 0.005;  // gap, over the smaller radius of gyration
   constexpr std::size_t most_in_tree = 30;
   const std::size_t count = discretisation.size();
   return count > most_in_tree && std::ranges::none_of(discretisation, is_prescribed) &&
@@ -271,12 +269,19 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
 
 HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
                                      const Discretisation& discretisation) {
-  const bool is_stiff = pairs_within(touching, inner_gaps(gaps, discretisation), discretisation) >=
-                        discretisation.size();
-  if (is_stiff) return {.tolerance = 0.55, .group_tolerance = 0.33, .reach = 1.5};
+  const std::vector<Gap> inner = inner_gaps(gaps, discretisation);
+  const std::size_t count = discretisation.size();
+  if (pairs_within(narrow, inner, discretisation) >= count) {
+    return {.tolerance = 0.55, .group_tolerance = 0.33, .reach = 1.5};
+  }
+  // A chain with tight gaps amplifies what is left out, and few directions couple its groups.
+  if (2 * pairs_within(tight, inner, discretisation) >= count &&
+      pairs_within(wide, inner, discretisation) < count) {
+    return {.tolerance = 0.2, .group_tolerance = 0.06};
+  }
   // With the same tolerances, iterations would grow with the number of components.
   constexpr double few = 500.0;
-  const double times = std::max(1.0, static_cast<double>(discretisation.size()) / few);
+  const double times = std::max(1.0, static_cast<double>(count) / few);
   const double fall = std::pow(times, -0.1);
   HierarchySettings settings;
   settings.tolerance *= fall;

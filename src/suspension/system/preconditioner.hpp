@@ -64,9 +64,9 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
                                              ClusterForm form = ClusterForm::resistance);
 
 /// Chooses which couplings of groups are expansions, and how much is left out: less where there are
-/// more than 500 components, so that the number of iterations hardly grows (@ref claim_13_15);
-/// other numbers where there are at least as many contacts as components, which make a stiff
-/// network.
+/// more than 500 components, so that the number of iterations hardly grows (@ref claim_13_15), and
+/// in chains with tight gaps; other numbers where there are at least as many narrow gaps as
+/// components, which make a stiff network.
 HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
                                      const Discretisation& discretisation);
 
