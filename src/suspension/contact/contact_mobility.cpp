@@ -164,7 +164,7 @@ ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution&
       flow_norm_(solution.system->system.right_hand_side().norm()),
       load_scales_(load_scales(solution.discretisation)),
       most_correction_(most_correction * solver.scene().solver.tolerance) {
-  if (solution.system->is_factorised) return;  // back substitutions need no guesses
+  if (solution.system->is_factorised()) return;  // back substitutions need no guesses
   const Configuration& configuration = solution.instant.configuration;
   const Eigen::MatrixXcd guesses =
       earlier_.densities.guess(0.0, configuration, solution.discretisation);
@@ -233,7 +233,7 @@ std::size_t ContactMobility::find_or_add(Column column) {
     return (column.scaled_load - other.scaled_load).norm() <= same_load * column.scaled_load.norm();
   });
   if (known != columns_.end()) return static_cast<std::size_t>(known - columns_.begin());
-  if (solution_.system->is_factorised) {
+  if (solution_.system->is_factorised()) {
     solve_by_factors(column);
   } else {
     reuse_similar(column);

@@ -47,13 +47,13 @@ ComplexVector in_cell(const Scene& scene, const Instant& instant, const ComplexV
   return points.unaryExpr([&](Complex point) { return lattice.wrap(point, cell_centre(scene)); });
 }
 
-// Interpolates the density of a solution to other nodes of the same configuration.
-DensityGuess guess_from(const Solution& solution) {
-  const Configuration& configuration = solution.instant.configuration;
+// Interpolates a density to other nodes of the same configuration.
+DensityGuess guess_from(const Configuration& configuration, const Discretisation& nodes,
+                        const ComplexVector& density) {
   DensityHistory found(1);
-  found.add(0.0, configuration, solution.discretisation, solution.density);
-  return [configuration, found](const Discretisation& discretisation) {
-    return found.guess(0.0, configuration, discretisation);
+  found.add(0.0, configuration, nodes, density);
+  return [configuration, found](const Discretisation& others) {
+    return found.guess(0.0, configuration, others);
   };
 }
 
@@ -226,7 +226,7 @@ Solution SuspensionSolver::solve(const Instant& instant, DensityGuess guess,
   while (true) {
     Solution solution =
         solve_system(prepare(instant, gaps, effort.resolutions), effort.gmres_tolerance, guess);
-    const auto [error, matvecs] = estimate_on_finer_nodes(*solution.system, solution);
+    const auto [error, matvecs, corrected] = estimate_on_finer_nodes(*solution.system, solution);
     cost += {solution.gmres.iterations, solution.gmres.applications + matvecs};
     solution.error_estimate = error;
     solution.cost = cost;
@@ -244,7 +244,9 @@ Solution SuspensionSolver::solve(const Instant& instant, DensityGuess guess,
           accuracy_error(scene_, effort.resolutions, least_, tails, error, gaps));
     }
     effort = std::move(next);
-    guess = guess_from(solution);
+    if (corrected.size() > 0) {
+      guess = guess_from(instant.configuration, discretise(finer_than(solution)), corrected);
+    }
   }
 }
 // [solve]
@@ -257,7 +259,9 @@ SuspensionSolver::Effort SuspensionSolver::increase(const Effort& effort,
   Effort next{refine_by_tails(scene_, effort.resolutions, tails, error), effort.gmres_tolerance};
   const double worst_tail = std::ranges::max(tails, {}, &TailEstimate::error).error;
   if (worst_tail < scene_.solver.tolerance && !scene_.solver.gmres_tol) {
-    next.gmres_tolerance = std::min(effort.gmres_tolerance, least_gmres_tolerance());
+    const double required = 0.1 * effort.gmres_tolerance * scene_.solver.tolerance / error;
+    next.gmres_tolerance =
+        std::min(effort.gmres_tolerance, std::max(required, least_gmres_tolerance()));
   }
   return next;
 }
@@ -269,6 +273,7 @@ LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_
                               loaded.instant.configuration, loaded.discretisation);
   if (const LinearMap& precondition = loaded.system->precondition) {
     discrete.precondition = std::cref(precondition);
+    discrete.kind = loaded.system->kind;
   }
   Solution solution = loaded;
   solution.gmres.solution = interleaved(loaded.density);
@@ -305,16 +310,16 @@ Solution SuspensionSolver::solve_nearby(const Instant& instant, const Resolution
 Solution SuspensionSolver::solve_lagged(const Instant& instant, const DensityGuess& guess) const {
   const std::vector<Gap> gaps = find_open_gaps(instant);
   Solution solution = prepare(instant, gaps, first_resolutions(instant.configuration, gaps));
-  const auto& [apply, precondition, is_factorised] = *solution.system;
+  const SuspensionOperator& apply = solution.system->system;
   const ComplexVector rhs = apply.right_hand_side(), before = guess(solution.discretisation);
   const ComplexVector residual = rhs - apply(before);
   GmresResult sweep;
-  sweep.solution = interleaved(before) + precondition(interleaved(residual));
+  sweep.solution = interleaved(before) + solution.system->precondition(interleaved(residual));
   sweep.residual = residual.norm() / rhs.norm();
   solution = complete_solution(scene_, std::move(solution), std::move(sweep));
-  const auto [error, matvecs] = estimate_on_finer_nodes(*solution.system, solution);
-  solution.error_estimate = error;
-  solution.cost = {0, 1 + matvecs};
+  const ErrorEstimate estimate = estimate_on_finer_nodes(*solution.system, solution);
+  solution.error_estimate = estimate.error;
+  solution.cost = {0, 1 + estimate.matvecs};
   return solution;
 }
 
@@ -328,7 +333,8 @@ Solution SuspensionSolver::solve_refined(const Solution& solution) const {
       assemble(problem, configuration, solution.gaps, finer.discretisation));
   finer.velocity_scale = solution.velocity_scale;
   finer.gaps = solution.gaps;
-  return solve_system(std::move(finer), least_gmres_tolerance(), guess_from(solution));
+  return solve_system(std::move(finer), least_gmres_tolerance(),
+                      guess_from(configuration, solution.discretisation, solution.density));
 }
 
 ComplexVector SuspensionSolver::velocity(const Solution& solution,

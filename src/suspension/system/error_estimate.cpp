@@ -50,11 +50,14 @@ LinearMap refined_preconditioner(const LinearSystem& coarse, const LinearSystem&
   };
 }
 
-// Returns the tolerance for the correction, relative to its right-hand side r. The correction leaves
-// a tenth of the residual r_0 of the iteration, because an ill-conditioned system hides r_0 in its
-// softest modes.
-double correction_tolerance(double residual, double rhs, const GmresResult& solution) {
-  return std::clamp(0.1 * solution.residual * rhs / residual, 1e-8, 0.03);
+// Returns the tolerance for the correction, relative to its right-hand side r. The iteration has left
+// a residual r_0. In an ill-conditioned system r_0 lies in the softest modes, where it causes the
+// largest errors: the correction leaves a tenth of it. A tree of groups has removed these modes as
+// well as all others, so that a correction that leaves as much as r_0 shows the error of the nodes.
+double correction_tolerance(double residual, double rhs, const GmresResult& solution,
+                            PreconditionerKind kind) {
+  const double share = kind == PreconditionerKind::hierarchical ? 1.0 : 0.1;
+  return std::clamp(share * solution.residual * rhs / residual, 1e-8, 0.03);
 }
 
 // Solves a system, and counts all products. GMRES starts anew before its bases exceed some 130 MB
@@ -115,16 +118,16 @@ ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solu
   ComplexVector residual = fine.system.right_hand_side();
   const double rhs_norm = residual.norm();
   residual -= fine.system(interpolated);
-  const GmresResult result =
-      solve_in_parts(fine, residual, correction_tolerance(residual.norm(), rhs_norm, solution));
+  const GmresResult result = solve_in_parts(
+      fine, residual, correction_tolerance(residual.norm(), rhs_norm, solution, coarse.kind));
   const ComplexVector correction = deinterleaved(result.solution);
-  const double moved =
-      relative_change(fine.problem(), coarse.system.closure().complete(density),
-                      fine.system.closure().complete(interpolated + correction), scale)
-          .value_or(correction.cwiseAbs().maxCoeff() / scale);
+  const ComplexVector corrected = interpolated + correction;
+  const double moved = relative_change(fine.problem(), coarse.system.closure().complete(density),
+                                       fine.system.closure().complete(corrected), scale)
+                           .value_or(correction.cwiseAbs().maxCoeff() / scale);
   // If the densities are hardly resolved, the solution on finer nodes has an error, too.
   constexpr double safety = 2.0;
-  return {safety * moved, result.applications + 1};
+  return {safety * moved, result.applications + 1, corrected};
 }
 
 TailEstimate tail_estimate(const ComplexVector& density, double scale) {

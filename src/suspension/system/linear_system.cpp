@@ -137,8 +137,7 @@ LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
   // A preconditioner needs far more memory while it is built than later, so it comes first.
   LinearMap precondition =
       make_preconditioner(kind, plan, scene, problem, configuration, gaps, discretisation, placed);
-  return {SuspensionOperator(problem, placed, plan), std::move(precondition),
-          kind == PreconditionerKind::direct};
+  return {SuspensionOperator(problem, placed, plan), std::move(precondition), kind};
 }
 
 }  // namespace stokesbook

@@ -70,11 +70,13 @@ class SuspensionOperator {
 struct LinearSystem {
   SuspensionOperator system;    ///< density in, velocity at the nodes out
   LinearMap precondition = {};  ///< approximate inverse, interleaved; empty: none
-  bool is_factorised = false;   ///< whether the preconditioner solves the system, up to the
-                                ///< errors of its near corrections
+  PreconditionerKind kind = PreconditionerKind::none;  ///< of the preconditioner
 
   /// Returns the components with their nodes and data.
   const StokesProblem& problem() const { return system.closure().problem(); }
+
+  /// Returns whether the preconditioner solves the system, up to the errors of its near corrections.
+  bool is_factorised() const { return kind == PreconditionerKind::direct; }
 };
 
 /// Solves a system for the density by GMRES.
