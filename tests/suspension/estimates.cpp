@@ -1,8 +1,10 @@
 // Tests the error estimate on random scenes with as few nodes as the solver accepts: the estimate
-// is at least three tenths and at most ten times the true error.
+// is at least three tenths and at most ten times the true error. Tests the cost of estimates, and of
+// solves that they cause.
 
 #include "scenes.hpp"
 #include "support/recorded_run.hpp"
+#include "support/touching.hpp"
 #include "support/vectors.hpp"
 #include "suspension/nodes/node_choice.hpp"
 
@@ -63,6 +65,17 @@ Solved accepted(const Scene& scene, int at_least) {
   }
 }
 
+// Returns the error of the motions of a solution, relative to its velocity scale.
+double error_of(const Solved& answer, const Solved& truth) {
+  const Solution& solution = answer.solution;
+  double error = 0.0;
+  for (std::size_t k = 0; k < answer.solver.scene().bodies.size(); ++k) {
+    const double a = solution.discretisation[k]->gyration_radius;
+    error = std::max(error, distance(answer.motion(k), truth.motion(k), a));
+  }
+  return error / solution.velocity_scale;
+}
+
 void check_estimates(int trials) {
   std::mt19937_64 random(61);
   for (int trial = 0; trial < trials; ++trial) {
@@ -72,14 +85,7 @@ void check_estimates(int trials) {
     Scene fine = coarse;
     fine.solver.tolerance = std::max(1e-12, 1e-4 * coarse.solver.tolerance);
     const int nodes = answer.solver.scene().bodies[0].n_nodes;
-    const Solved truth = accepted(fine, 3 * nodes);
-    double error = 0.0;
-    for (std::size_t k = 0; k < coarse.bodies.size(); ++k) {
-      const Curve& curve = answer.solution.discretisation[k]->curve;
-      const double a = RigidModes(curve, 0.0).gyration_radius();
-      error = std::max(error, distance(answer.motion(k), truth.motion(k), a));
-    }
-    error /= answer.solution.velocity_scale;
+    const double error = error_of(answer, accepted(fine, 3 * nodes));
     const double estimate = answer.solution.error_estimate;
     BOOST_TEST_CONTEXT("trial " << trial << ", " << nodes << " nodes, error " << error
                                 << ", estimate " << estimate) {
@@ -115,6 +121,28 @@ BOOST_AUTO_TEST_CASE(are_honest) {
 
 BOOST_AUTO_TEST_CASE(are_honest_in_many_scenes, *boost::unit_test::label("full")) {
   check_estimates(48);
+}
+
+// The products of an estimate are fewer than those of the solve, and the estimate is still right.
+BOOST_AUTO_TEST_CASE(cost_little_with_a_tree) {
+  Scene scene = with_preconditioner(loaded_packing(40, 0.5), PreconditionerKind::hierarchical);
+  const Solved answer(scene);
+  const Solution& solution = answer.solution;
+  BOOST_TEST(solution.cost.matvecs <= 2 * solution.gmres.applications);
+  scene.solver.tolerance = 1e-8;
+  const double error = error_of(answer, Solved(scene));
+  BOOST_TEST(solution.error_estimate >= error);
+  BOOST_TEST(solution.error_estimate <= 10.0 * error);
+}
+
+// The error of the first solve is that of GMRES: the next solve begins with the corrected density.
+BOOST_AUTO_TEST_CASE(give_the_next_solve_its_guess) {
+  const Scene scene = with_preconditioner(settling_in_container(4.0, 40, 0.3, 0.02),
+                                          PreconditionerKind::block_diagonal);
+  const Solution solution = Solved(scene).solution;
+  const int before = solution.cost.gmres_iterations - solution.gmres.iterations;
+  BOOST_TEST(before > 0);
+  BOOST_TEST(5 * solution.gmres.iterations < before);
 }
 
 // Without bodies there are no motions to compare: the estimate compares the densities.
