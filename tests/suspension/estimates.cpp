@@ -1,6 +1,6 @@
 // Tests the error estimate on random scenes with as few nodes as the solver accepts: the estimate
-// is at least three tenths and at most ten times the true error. Tests the cost of estimates, and of
-// solves that they cause.
+// is at least three tenths and at most ten times the true error. Tests the cost of estimates, and
+// of solves that they cause.
 
 #include "scenes.hpp"
 #include "support/recorded_run.hpp"

@@ -50,10 +50,10 @@ LinearMap refined_preconditioner(const LinearSystem& coarse, const LinearSystem&
   };
 }
 
-// Returns the tolerance for the correction, relative to its right-hand side r. The iteration has left
-// a residual r_0. In an ill-conditioned system r_0 lies in the softest modes, where it causes the
-// largest errors: the correction leaves a tenth of it. A tree of groups has removed these modes as
-// well as all others, so that a correction that leaves as much as r_0 shows the error of the nodes.
+// Returns the tolerance for the correction, relative to its right-hand side r. The iteration has
+// left a residual r_0. In an ill-conditioned system r_0 lies in the softest modes, where it causes
+// the largest errors: the correction leaves a tenth of it. A tree of groups removes these modes as
+// well as all others: a correction that leaves as much as r_0 shows the error of the nodes.
 double correction_tolerance(double residual, double rhs, const GmresResult& solution,
                             PreconditionerKind kind) {
   const double share = kind == PreconditionerKind::hierarchical ? 1.0 : 0.1;

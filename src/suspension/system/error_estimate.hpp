@@ -31,11 +31,11 @@ struct ErrorEstimate {
 /// Estimates the error of a solution's motions and loads by a correction on finer nodes.
 ///
 /// The density is interpolated to the finer nodes, where it leaves a residual r. The system on the
-/// finer nodes is solved for the correction of r, which leaves at most a tenth of the residual of the
-/// GMRES iteration, so that the estimate includes the error of the iteration; with a hierarchical
-/// preconditioner, which leaves no soft modes, it leaves as much as the iteration. The estimate is
-/// twice the relative_change() by this correction; if there are neither motions nor loads, it is twice the
-/// largest change of the density over the scale.
+/// finer nodes is solved for the correction of r, which leaves at most a tenth of the residual of
+/// the GMRES iteration, so that the estimate includes the error of the iteration. With a
+/// hierarchical preconditioner, which leaves no soft modes, it leaves as much as the iteration. The
+/// estimate is twice the relative_change() by this correction; if there are neither motions nor
+/// loads, it is twice the largest change of the density over the scale.
 /// @param  coarse  the system that was solved; its preconditioner is also used for the fine one
 /// @param  fine    the same problem with about a quarter more nodes, equidistant in the same
 ///                 parameter of each component; its preconditioner is replaced

@@ -75,7 +75,7 @@ struct LinearSystem {
   /// Returns the components with their nodes and data.
   const StokesProblem& problem() const { return system.closure().problem(); }
 
-  /// Returns whether the preconditioner solves the system, up to the errors of its near corrections.
+  /// Returns whether the preconditioner solves the system, up to errors of its near corrections.
   bool is_factorised() const { return kind == PreconditionerKind::direct; }
 };
 
