@@ -244,9 +244,9 @@ Solution SuspensionSolver::solve(const Instant& instant, DensityGuess guess,
           accuracy_error(scene_, effort.resolutions, least_, tails, error, gaps));
     }
     effort = std::move(next);
-    if (corrected.size() > 0) {
-      guess = guess_from(instant.configuration, discretise(finer_than(solution)), corrected);
-    }
+    guess = corrected.size() > 0
+                ? guess_from(instant.configuration, discretise(finer_than(solution)), corrected)
+                : guess_from(instant.configuration, solution.discretisation, solution.density);
   }
 }
 // [solve]
