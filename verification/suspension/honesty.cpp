@@ -71,7 +71,9 @@ JudgedSolution judge(std::mt19937_64& random, int most_nodes) {
   const Solved fine = solved_at(solver, refine(resolutions), 0.5);
   const Completion reference = reference_of(scene);
   return {error(answer, reference),
-          estimate_error(answer.discrete, answer.gmres, fine.discrete, answer.scale).error,
+          estimate_error(answer.discrete, answer.density, answer.gmres.residual, fine.discrete,
+                         answer.scale)
+              .error,
           largest_tail(answer), 10.0 * answer.gmres.residual};
 }
 

@@ -62,7 +62,8 @@ JudgedCrowd judge_crowd(int count) {
   first.components.resize(looked_at);
   return {*relative_change(first, first_of(twice.completion), first_of(answer.completion),
                            answer.scale),
-          estimate_error(answer.discrete, answer.gmres, fine, answer.scale).error,
+          estimate_error(answer.discrete, answer.density, answer.gmres.residual, fine, answer.scale)
+              .error,
           10.0 * answer.gmres.residual,
           2.0 * static_cast<double>(answer.density.size()),
           static_cast<double>(answer.gmres.iterations),

@@ -197,7 +197,8 @@ double SuspensionSolver::least_gmres_tolerance() const {
 }
 
 ErrorEstimate SuspensionSolver::estimate_on_finer_nodes(const LinearSystem& discrete,
-                                                        const Solution& solution) const {
+                                                        const Solution& solution,
+                                                        double gmres_tolerance) const {
   if (solution.velocity_scale == 0.0) return {};
   const bool large = is_large(solution.density.size());
   return_freed_memory(large);
@@ -206,7 +207,9 @@ ErrorEstimate SuspensionSolver::estimate_on_finer_nodes(const LinearSystem& disc
                                               solution.instant.configuration, finer);
   return_freed_memory(large);
   try {
-    return estimate_error(discrete, solution.gmres, std::move(fine), solution.velocity_scale);
+    return estimate_error(discrete, solution.density,
+                          std::max(gmres_tolerance, solution.gmres.residual), std::move(fine),
+                          solution.velocity_scale);
   } catch (const SolverError&) {
     // Rounding errors exceed the correction: the error is unknown.
     return {std::numeric_limits<double>::infinity(), 0};
@@ -226,7 +229,8 @@ Solution SuspensionSolver::solve(const Instant& instant, DensityGuess guess,
   while (true) {
     Solution solution =
         solve_system(prepare(instant, gaps, effort.resolutions), effort.gmres_tolerance, guess);
-    const auto [error, matvecs, corrected] = estimate_on_finer_nodes(*solution.system, solution);
+    const auto [error, matvecs, corrected] =
+        estimate_on_finer_nodes(*solution.system, solution, effort.gmres_tolerance);
     cost += {solution.gmres.iterations, solution.gmres.applications + matvecs};
     solution.error_estimate = error;
     solution.cost = cost;
@@ -276,7 +280,6 @@ LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_
     discrete.kind = loaded.system->kind;
   }
   Solution solution = loaded;
-  solution.gmres.solution = interleaved(loaded.density);
   const Completion completion = discrete.system.closure().complete(loaded.density);
   for (std::size_t k = 0; k < loaded.discretisation.size(); ++k) {
     if (loaded.discretisation[k]->kind != ComponentKind::free_body) continue;
@@ -287,7 +290,7 @@ LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_
         std::max({solution.velocity_scale, std::abs(velocity),
                   loaded.discretisation[k]->gyration_radius * std::abs(omega)});
   }
-  const ErrorEstimate estimate = estimate_on_finer_nodes(discrete, solution);
+  const ErrorEstimate estimate = estimate_on_finer_nodes(discrete, solution, gmres_tolerance);
   if (estimate.error <= scene_.solver.tolerance) return {estimate, resolutions, gmres_tolerance};
   const auto tails =
       tail_estimates(discrete, solution.discretisation, solution.density, solution.velocity_scale);
@@ -317,7 +320,8 @@ Solution SuspensionSolver::solve_lagged(const Instant& instant, const DensityGue
   sweep.solution = interleaved(before) + solution.system->precondition(interleaved(residual));
   sweep.residual = residual.norm() / rhs.norm();
   solution = complete_solution(scene_, std::move(solution), std::move(sweep));
-  const ErrorEstimate estimate = estimate_on_finer_nodes(*solution.system, solution);
+  const ErrorEstimate estimate =
+      estimate_on_finer_nodes(*solution.system, solution, plan_.gmres_tolerance);
   solution.error_estimate = estimate.error;
   solution.cost = {0, 1 + estimate.matvecs};
   return solution;

@@ -173,8 +173,8 @@ class SuspensionSolver {
   Solution prepare(const Instant& instant, const std::vector<Gap>& gaps,
                    const Resolutions& resolutions) const;
   Solution solve_system(Solution prepared, double gmres_tolerance, const DensityGuess& guess) const;
-  ErrorEstimate estimate_on_finer_nodes(const LinearSystem& discrete,
-                                        const Solution& solution) const;
+  ErrorEstimate estimate_on_finer_nodes(const LinearSystem& discrete, const Solution& solution,
+                                        double gmres_tolerance) const;
   Effort increase(const Effort& effort, const std::vector<TailEstimate>& tails, double error) const;
   Resolutions finer_than(const Solution& solution) const;
   double least_gmres_tolerance() const;

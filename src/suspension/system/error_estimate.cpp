@@ -50,14 +50,14 @@ LinearMap refined_preconditioner(const LinearSystem& coarse, const LinearSystem&
   };
 }
 
-// Returns the tolerance for the correction, relative to its right-hand side r. The iteration has
-// left a residual r_0. In an ill-conditioned system r_0 lies in the softest modes, where it causes
-// the largest errors: the correction leaves a tenth of it. A tree of groups removes these modes as
-// well as all others: a correction that leaves as much as r_0 shows the error of the nodes.
-double correction_tolerance(double residual, double rhs, const GmresResult& solution,
-                            PreconditionerKind kind) {
+// Returns the tolerance for the correction, relative to the norm of its right-hand side r. The
+// solution has, or may have, a residual r_0. In an ill-conditioned system r_0 lies in the softest
+// modes, where it causes the largest errors: the correction leaves a tenth of it. A tree of groups
+// removes these modes as well as all others: a correction that leaves as much as r_0 shows the
+// error of the nodes.
+double correction_tolerance(double r_0, double r, PreconditionerKind kind) {
   const double share = kind == PreconditionerKind::hierarchical ? 1.0 : 0.1;
-  return std::clamp(share * solution.residual * rhs / residual, 1e-8, 0.03);
+  return std::clamp(share * r_0 / r, 1e-8, 0.03);
 }
 
 // Solves a system, and counts all products. GMRES starts anew before its bases exceed some 130 MB
@@ -109,17 +109,14 @@ std::optional<double> relative_change(const StokesProblem& problem, const Comple
   return std::max(motions / scale, loads / load_scale);
 }
 
-ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solution,
-                             LinearSystem fine, double scale) {
+ErrorEstimate estimate_error(const LinearSystem& coarse, const ComplexVector& density,
+                             double residual, LinearSystem fine, double scale) {
   fine.precondition = refined_preconditioner(coarse, fine);
-  const ComplexVector density = deinterleaved(solution.solution);
   // r = b - A eta on the finer nodes, then A eta' = r for the correction eta'.
   const ComplexVector interpolated = transferred(density, coarse, fine);
-  ComplexVector residual = fine.system.right_hand_side();
-  const double rhs_norm = residual.norm();
-  residual -= fine.system(interpolated);
+  const ComplexVector rhs = fine.system.right_hand_side(), rest = rhs - fine.system(interpolated);
   const GmresResult result = solve_in_parts(
-      fine, residual, correction_tolerance(residual.norm(), rhs_norm, solution, coarse.kind));
+      fine, rest, correction_tolerance(residual * rhs.norm(), rest.norm(), coarse.kind));
   const ComplexVector correction = deinterleaved(result.solution);
   const ComplexVector corrected = interpolated + correction;
   const double moved = relative_change(fine.problem(), coarse.system.closure().complete(density),

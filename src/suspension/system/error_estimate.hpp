@@ -32,21 +32,24 @@ struct ErrorEstimate {
 ///
 /// The density is interpolated to the finer nodes, where it leaves a residual r. The system on the
 /// finer nodes is solved for the correction of r, which leaves at most a tenth of the residual of
-/// the GMRES iteration, so that the estimate includes the error of the iteration. With a
-/// hierarchical preconditioner, which leaves no soft modes, it leaves as much as the iteration. The
-/// estimate is twice the relative_change() by this correction; if there are neither motions nor
-/// loads, it is twice the largest change of the density over the scale.
-/// @param  coarse  the system that was solved; its preconditioner is also used for the fine one
-/// @param  fine    the same problem with about a quarter more nodes, equidistant in the same
-///                 parameter of each component; its preconditioner is replaced
-/// @param  scale   of velocities, > 0, length / time
+/// the solution, so that the estimate includes the error of the iteration. With a hierarchical
+/// preconditioner, which leaves no soft modes, it leaves as much as the solution. The estimate is
+/// twice the relative_change() by this correction; if there are neither motions nor loads, it is
+/// twice the largest change of the density over the scale.
+/// @param  coarse    the system that was solved; its preconditioner is also used for the fine one
+/// @param  density   its solution
+/// @param  residual  relative residual of the solution, or the tolerance of GMRES if it is larger:
+///                   a direct solution leaves less than its tolerance
+/// @param  fine      the same problem with about a quarter more nodes, equidistant in the same
+///                   parameter of each component; its preconditioner is replaced
+/// @param  scale     of velocities, > 0, length / time
 /// @throws SolverError as solve() does
 /// @par Accuracy  within a factor 10 of the error in 95 of 100 scenes, @ref claim_12_1; never less
 /// than a thirtieth of the error, @ref claim_12_2
 /// @par Cost      a quarter to twice the applications of the solution, with a quarter more nodes.
 /// GMRES starts anew before its bases exceed some 130 MB each.
-ErrorEstimate estimate_error(const LinearSystem& coarse, const GmresResult& solution,
-                             LinearSystem fine, double scale);
+ErrorEstimate estimate_error(const LinearSystem& coarse, const ComplexVector& density,
+                             double residual, LinearSystem fine, double scale);
 
 /// An error estimate from the Fourier modes of a computed density.
 struct TailEstimate {
