@@ -1,13 +1,14 @@
 // Tests the definite correction of computed contact mobilities: indefinite ones become definite,
 // definite ones stay as they are (chapter 12).
 
+#include "suspension/contact/definite_correction.hpp"
+
 #include <random>
 
 #include <boost/test/unit_test.hpp>
 
 #include "scaled_eigenvalues.hpp"
 #include "support/dense.hpp"
-#include "suspension/contact/contact_mobility.hpp"
 
 namespace stokesbook::test {
 
