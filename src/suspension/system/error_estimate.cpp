@@ -51,10 +51,10 @@ LinearMap refined_preconditioner(const LinearSystem& coarse, const LinearSystem&
 }
 
 // Returns the tolerance for the correction, relative to the norm of its right-hand side r. The
-// solution has, or may have, a residual r_0. In an ill-conditioned system r_0 lies in the softest
-// modes, where it causes the largest errors: the correction leaves a tenth of it. A tree of groups
-// removes these modes as well as all others: a correction that leaves as much as r_0 shows the
-// error of the nodes.
+// solution has a residual r_0. In an ill-conditioned system r_0 lies in the softest modes, where it
+// causes the largest errors: the correction leaves a tenth of it. A tree of groups removes these
+// modes as well as all others: a correction that leaves as much as r_0 shows the error of the
+// nodes.
 double correction_tolerance(double r_0, double r, PreconditionerKind kind) {
   const double share = kind == PreconditionerKind::hierarchical ? 1.0 : 0.1;
   return std::clamp(share * r_0 / r, 1e-8, 0.03);

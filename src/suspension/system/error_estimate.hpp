@@ -38,8 +38,8 @@ struct ErrorEstimate {
 /// twice the largest change of the density over the scale.
 /// @param  coarse    the system that was solved; its preconditioner is also used for the fine one
 /// @param  density   its solution
-/// @param  residual  relative residual of the solution, or the tolerance of GMRES if it is larger:
-///                   a direct solution leaves less than its tolerance
+/// @param  residual  relative residual of the solution; for a direct solution, the one that GMRES
+///                   may leave if it is larger
 /// @param  fine      the same problem with about a quarter more nodes, equidistant in the same
 ///                   parameter of each component; its preconditioner is replaced
 /// @param  scale     of velocities, > 0, length / time
