@@ -11,16 +11,6 @@ namespace stokesbook {
 
 using Eigen::Index;
 
-namespace {
-
-// Returns (factor / pi) e e^T for the unit vector e of a direction.
-Eigen::Matrix2d dyad(Complex direction, double factor) {
-  const Eigen::Vector2d r{direction.real(), direction.imag()};
-  return factor * std::numbers::inv_pi / r.squaredNorm() * r * r.transpose();
-}
-
-}  // namespace
-
 ComplexVector diagonal_velocity(const Curve& curve, const ComplexVector& density) {
   const double factor = -curve.sign() / static_cast<double>(curve.size());
   ComplexVector velocity(curve.size());
@@ -47,14 +37,22 @@ Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves) {
     const Eigen::VectorXd w = weights(source), kappa = curvatures(source);
     const ComplexVector normal = normals(source);
     for (Index j = 0; j < source.size(); ++j, column += 2) {
-      for (Index row = 0; row < matrix.rows(); row += 2) {
-        // The limit (02.9) on the diagonal; elsewhere (w / pi) (r.n) r r^T / rho^4, the kernel of
-        // (02.6) times the weight.
-        const Complex r = targets[row / 2] - source.x[j];
-        matrix.block<2, 2>(row, column) =
-            row == column ? dyad(source.dx[j], -0.5 * source.sign() * kappa[j] * w[j])
-                          : dyad(r, w[j] * dot(r, normal[j]) / std::norm(r));
+      // (w / pi) (r.n) r r^T / rho^4, the kernel of (02.6) times the weight.
+      const Complex x = source.x[j], n = w[j] * std::numbers::inv_pi * normal[j];
+      double *first = matrix.col(column).data(), *second = matrix.col(column + 1).data();
+#pragma omp simd
+      for (Index i = 0; i < targets.size(); ++i) {
+        const Complex r = targets[i] - x;
+        const double inverse_square = 1.0 / std::norm(r);
+        const Complex scaled = (inverse_square * dot(r, n)) * (inverse_square * r);
+        first[2 * i] = scaled.real() * r.real();
+        first[2 * i + 1] = second[2 * i] = scaled.real() * r.imag();
+        second[2 * i + 1] = scaled.imag() * r.imag();
       }
+      // The limit (02.9) on the diagonal, where r = 0: -(s kappa w / (2 pi)) t t^T.
+      const Eigen::Vector2d slope(source.dx[j].real(), source.dx[j].imag());
+      const double limit = -0.5 * std::numbers::inv_pi * source.sign() * kappa[j] * w[j];
+      matrix.block<2, 2>(column, column) = limit / slope.squaredNorm() * slope * slope.transpose();
     }
   }
   return matrix;
