@@ -85,6 +85,7 @@ class LoadColumns {
   const Eigen::VectorXd& load_scales() const { return load_scales_; }
 
   const Solution& solution() const { return solution_; }  ///< returns that of the constructor
+  /// Returns a column by the number that find() has returned.
   const LoadColumn& operator[](std::size_t column) const { return columns_[column]; }
   std::size_t size() const { return columns_.size(); }  ///< counts the columns
   const SolveCost& cost() const { return cost_; }       ///< returns the work so far
