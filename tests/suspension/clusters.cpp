@@ -233,6 +233,8 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   two_of_many.bodies.back().position += 2.05;
   BOOST_TEST((chosen(in_contact(two_of_many, 0.05)) == none));  // too few pairs
   BOOST_TEST((chosen(disk_packing(150)) == hierarchical));
+  BOOST_TEST((chosen(loaded_packing(1000, 0.1)) == hierarchical));
+  BOOST_TEST((chosen(loaded_packing(1000, 0.05)) == none));  // most disks are far from all others
   BOOST_TEST((chosen(disk_hexagon(7, 1e-3, 1e-1)) == clusters));  // 169 disks, a crystal
   BOOST_TEST((chosen(mixed({outer_wall(Circle{6.0}, automatic_nodes)})) == direct));
   BOOST_TEST((chosen(scene({body(Circle{1.0}, automatic_nodes, {})}, ShearFlow{1.0})) == none));

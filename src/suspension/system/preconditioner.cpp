@@ -174,8 +174,9 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
   // Tight or narrow gaps slow GMRES down so much that a tree pays, if there is one for this number
   // of components.
   constexpr std::size_t components_a_tight_gap = 60, components_a_narrow_gap = 12;
-  // Many wide gaps between many components do so, too. The number of iterations and the time of
-  // each grow with the number of digits.
+  // Many wide gaps between many components do so, too, unless most components are far from all
+  // others. The number of iterations and the time of each grow with the number of digits.
+  constexpr std::size_t components_a_wide_gap = 10;
   constexpr double many = 245e3;
   if (std::ranges::any_of(discretisation, [](const auto& discretised) {
         return is_inner(discretised) && discretised->curve.size() > most_nodes;
@@ -184,7 +185,8 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
   }
   const std::vector<Gap> inner = inner_gaps(gaps, discretisation);
   const std::size_t count = discretisation.size(),
-                    n_narrow = pairs_within(narrow, inner, discretisation);
+                    n_narrow = pairs_within(narrow, inner, discretisation),
+                    n_wide = pairs_within(wide, inner, discretisation);
   // Within a wall, many bodies move little under smooth loads, and GMRES takes few iterations
   // without a tree, unless elongated bodies lock each other.
   constexpr std::size_t most_within_wall = 150;
@@ -195,8 +197,8 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
   const double digits = -std::log10(plan.gmres_tolerance);
   return components_a_tight_gap * pairs_within(tight, inner, discretisation) >= count ||
          components_a_narrow_gap * n_narrow >= count ||
-         digits * digits * static_cast<double>(count * pairs_within(wide, inner, discretisation)) >=
-             many;
+         (components_a_wide_gap * n_wide >= count &&
+          digits * digits * static_cast<double>(count * n_wide) >= many);
 }
 
 bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
