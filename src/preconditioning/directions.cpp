@@ -35,7 +35,7 @@ void add_far_couplings(const MatrixXf& expansions, const FarField& far_field, Ma
 MatrixXf factor_of(double tau, MatrixXf gram) {
   const auto bound = static_cast<float>(tau * tau);
   constexpr float remainder = 0.16F;  // largest diagonal entry that is left, over tau^2
-  gram = MatrixXf(gram.selfadjointView<Eigen::Lower>());
+  gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
   const Index n = gram.rows();
   VectorXf diagonal = gram.diagonal();
   MatrixXf factor(n, n);
@@ -51,7 +51,8 @@ MatrixXf factor_of(double tau, MatrixXf gram) {
     diagonal -= column.cwiseAbs2();
     diagonal[pivot] = 0.0F;
   }
-  return factor.leftCols(rank);
+  factor.conservativeResize(Eigen::NoChange, rank);
+  return factor;
 }
 
 MatrixXf basis_above(double tau, const MatrixXf& factor) {

@@ -18,6 +18,10 @@ using Eigen::MatrixXf;
 
 namespace {
 
+// Overwrites the matrix with its factors: each thread has such matrices, which are large on the
+// last levels.
+using FactorisedInPlace = Eigen::PartialPivLU<Eigen::Ref<MatrixXf>>;
+
 // Adds a product to a sum, which has no rows before the first.
 template <class Product>
 void add(const Product& product, MatrixXf& sum) {
@@ -62,7 +66,8 @@ class Level {
   // identity.
   MatrixXf inverse(Index a) const {
     if (is_single(a)) return {};
-    return matrix(a).partialPivLu().inverse();
+    MatrixXf factors = matrix(a);
+    return FactorisedInPlace(factors).inverse();
   }
 
   // Multiplies T^{-1} of a group by columns. Another factorisation costs less than keeping the
@@ -70,7 +75,8 @@ class Level {
   // is not accurate enough: couplings that were computed with it would be amplified above.
   MatrixXf solved(Index a, const MatrixXf& columns) const {
     if (is_single(a)) return columns;
-    return matrix(a).partialPivLu().solve(columns);
+    MatrixXf factors = matrix(a);
+    return FactorisedInPlace(factors).solve(columns);
   }
 
   MatrixXf outgoing(const Box& disk, Index a) const {
