@@ -65,7 +65,7 @@ double correction_tolerance(double r_0, double r, PreconditionerKind kind) {
 GmresResult solve_in_parts(const LinearSystem& system, const ComplexVector& rhs, double tolerance) {
   constexpr Index most_numbers = 1 << 24;
   const Index size = 2 * rhs.size();
-  Index longest = std::max<Index>(16, most_numbers / size);
+  Index longest = std::max<Index>(8, most_numbers / size);
   GmresResult result;
   result.residual = 1.0;
   do {
@@ -114,9 +114,11 @@ ErrorEstimate estimate_error(const LinearSystem& coarse, const ComplexVector& de
   fine.precondition = refined_preconditioner(coarse, fine);
   // r = b - A eta on the finer nodes, then A eta' = r for the correction eta'.
   const ComplexVector interpolated = transferred(density, coarse, fine);
-  const ComplexVector rhs = fine.system.right_hand_side(), rest = rhs - fine.system(interpolated);
-  const GmresResult result = solve_in_parts(
-      fine, rest, correction_tolerance(residual * rhs.norm(), rest.norm(), coarse.kind));
+  ComplexVector rest = fine.system.right_hand_side();
+  const double solved = residual * rest.norm();
+  rest -= fine.system(interpolated);
+  const GmresResult result =
+      solve_in_parts(fine, rest, correction_tolerance(solved, rest.norm(), coarse.kind));
   const ComplexVector correction = deinterleaved(result.solution);
   const ComplexVector corrected = interpolated + correction;
   const double moved = relative_change(fine.problem(), coarse.system.closure().complete(density),
