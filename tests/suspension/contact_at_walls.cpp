@@ -270,11 +270,20 @@ BOOST_AUTO_TEST_CASE(a_disk_rests_on_both_flanks_of_a_valley) {
   const RecordedRun run = recorded_run(scene);
   check_contact(scene, run);
   for (const StepInfo& step : run.steps) BOOST_TEST(step.ncp_iterations <= 6);
+  // At rest, contact forces balance the load up to the error of the mobility, at most the tolerance
+  // 1e-5 of GMRES, and to the force of the fluid on a disk that moves by 1e-5 separations in a step.
+  double sum = 0.0;
+  int count = 0;
+  for (const Frame& frame : run.frames) {
+    if (frame.t < 2.0) continue;
+    const double rest = std::abs(contact_load(frame, {false, 0}, {}).force + force);
+    BOOST_TEST(rest <= 1e-5 * std::abs(force));
+    sum += rest;
+    ++count;
+  }
+  BOOST_TEST(sum <= 1e-6 * count * std::abs(force));
   const Frame& end = run.frames.back();
   BOOST_REQUIRE(end.contacts.size() == 2);
-  // Positions of successive steps may differ by 1e-5 separations, and the fluid carries the force
-  // of such a motion.
-  BOOST_TEST(std::abs(contact_load(end, {false, 0}, {}).force + force) <= 1e-6 * std::abs(force));
   const auto gap = [&](double y) { return exact_gap({Circle{0.45}, {0.0, y}}, star); };
   const double y = end.bodies[0].position.imag(), h = 1e-5;
   BOOST_TEST(std::abs(gap(y) - separation) <= 1e-5 * separation);
@@ -283,7 +292,7 @@ BOOST_AUTO_TEST_CASE(a_disk_rests_on_both_flanks_of_a_valley) {
   for (const ContactForce& contact : end.contacts) {
     const double side = contact.normal.real() < 0.0 ? 1.0 : -1.0;
     const double known = 0.5 * (300.0 / cosine + side * 30.0 / sine);
-    BOOST_TEST(contact.force == known, boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(contact.force == known, boost::test_tools::tolerance(1e-5));
     BOOST_TEST(contact.force == (side > 0.0 ? 209.0 : 156.0), boost::test_tools::tolerance(4e-3));
   }
 }
