@@ -270,18 +270,22 @@ BOOST_AUTO_TEST_CASE(a_disk_rests_on_both_flanks_of_a_valley) {
   const RecordedRun run = recorded_run(scene);
   check_contact(scene, run);
   for (const StepInfo& step : run.steps) BOOST_TEST(step.ncp_iterations <= 6);
-  // At rest, contact forces balance the load up to the error of the mobility, at most the tolerance
-  // 1e-5 of GMRES, and to the force of the fluid on a disk that moves by 1e-5 separations in a step.
-  double sum = 0.0;
+  // At rest, the forces of most instants are accurate to 1e-6, and those of some to a few 1e-6: the
+  // residuals of the columns are at most 1e-5, the tolerance of GMRES.
+  double sum_of_rests = 0.0, on_left = 0.0, on_right = 0.0;
   int count = 0;
   for (const Frame& frame : run.frames) {
     if (frame.t < 2.0) continue;
+    BOOST_REQUIRE(frame.contacts.size() == 2);
     const double rest = std::abs(contact_load(frame, {false, 0}, {}).force + force);
     BOOST_TEST(rest <= 1e-5 * std::abs(force));
-    sum += rest;
+    sum_of_rests += rest;
+    for (const ContactForce& contact : frame.contacts) {
+      (contact.normal.real() < 0.0 ? on_right : on_left) += contact.force;
+    }
     ++count;
   }
-  BOOST_TEST(sum <= 1e-6 * count * std::abs(force));
+  BOOST_TEST(sum_of_rests <= 1e-6 * count * std::abs(force));
   const Frame& end = run.frames.back();
   BOOST_REQUIRE(end.contacts.size() == 2);
   const auto gap = [&](double y) { return exact_gap({Circle{0.45}, {0.0, y}}, star); };
@@ -289,11 +293,11 @@ BOOST_AUTO_TEST_CASE(a_disk_rests_on_both_flanks_of_a_valley) {
   BOOST_TEST(std::abs(gap(y) - separation) <= 1e-5 * separation);
   const double cosine = (gap(y + h) - gap(y - h)) / (2.0 * h),
                sine = std::sqrt(1.0 - cosine * cosine);
-  for (const ContactForce& contact : end.contacts) {
-    const double side = contact.normal.real() < 0.0 ? 1.0 : -1.0;
+  for (const double side : {-1.0, 1.0}) {
+    const double mean = (side > 0.0 ? on_right : on_left) / count;
     const double known = 0.5 * (300.0 / cosine + side * 30.0 / sine);
-    BOOST_TEST(contact.force == known, boost::test_tools::tolerance(1e-5));
-    BOOST_TEST(contact.force == (side > 0.0 ? 209.0 : 156.0), boost::test_tools::tolerance(4e-3));
+    BOOST_TEST(mean == known, boost::test_tools::tolerance(1e-6));
+    BOOST_TEST(mean == (side > 0.0 ? 209.0 : 156.0), boost::test_tools::tolerance(4e-3));
   }
 }
 
