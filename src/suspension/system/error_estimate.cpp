@@ -115,10 +115,10 @@ ErrorEstimate estimate_error(const LinearSystem& coarse, const ComplexVector& de
   // r = b - A eta on the finer nodes, then A eta' = r for the correction eta'.
   const ComplexVector interpolated = transferred(density, coarse, fine);
   ComplexVector rest = fine.system.right_hand_side();
-  const double solved = residual * rest.norm();
+  const double r_0 = residual * rest.norm();
   rest -= fine.system(interpolated);
   const GmresResult result =
-      solve_in_parts(fine, rest, correction_tolerance(solved, rest.norm(), coarse.kind));
+      solve_in_parts(fine, rest, correction_tolerance(r_0, rest.norm(), coarse.kind));
   const ComplexVector correction = deinterleaved(result.solution);
   const ComplexVector corrected = interpolated + correction;
   const double moved = relative_change(fine.problem(), coarse.system.closure().complete(density),
