@@ -91,7 +91,10 @@ std::vector<Tick> ticks(const Axis& axis) {
         if (is_tick) values.push_back({value, short_number(value, 7)});
       }
     }
-    return values;
+    if (values.size() > 1) return values;
+    // From 40 to 100 there is only one power of two: the axis shows 40, 60, 80 and 100.
+    return ticks(
+        {.logarithmic = false, .low = std::pow(10.0, axis.low), .high = std::pow(10.0, axis.high)});
   }
   double step = std::ceil(range / most);
   if (!axis.logarithmic) {
