@@ -17,16 +17,19 @@ CompactMatrix::CompactMatrix(const MatrixXf& matrix)
   require<std::domain_error>(matrix.allFinite(),
                              "a matrix to be rounded has a number that is not finite");
   if (matrix.rows() == 0) return;
+  norms_ = matrix.rowwise().norm();
+  norms_ = (norms_.array() > 0.0F).select(norms_, 1.0F);
   for (Index j = 0; j < matrix.cols(); ++j) {
-    const float largest = matrix.col(j).cwiseAbs().maxCoeff();
+    const VectorXf column = matrix.col(j).cwiseQuotient(norms_);
+    const float largest = column.cwiseAbs().maxCoeff();
     units_[j] = largest / 32767.0F;
-    const float scale = largest > 0.0F ? 32767.0F / largest : 0.0F;
-    numbers_.col(j) = (scale * matrix.col(j)).array().round().cast<std::int16_t>();
+    const float factor = largest > 0.0F ? 32767.0F / largest : 0.0F;
+    numbers_.col(j) = (factor * column).array().round().cast<std::int16_t>();
   }
 }
 
 MatrixXf CompactMatrix::unpacked() const {
-  return numbers_.cast<float>() * units_.asDiagonal();
+  return norms_.asDiagonal() * numbers_.cast<float>() * units_.asDiagonal();
 }
 
 VectorXf CompactMatrix::times(const Eigen::Ref<const VectorXf>& v) const {
@@ -38,12 +41,13 @@ VectorXf CompactMatrix::times(const Eigen::Ref<const VectorXf>& v) const {
 #pragma omp simd
     for (Index i = 0; i < rows(); ++i) sum[i] += factor * static_cast<float>(column[i]);
   }
-  return result;
+  return result.cwiseProduct(norms_);
 }
 
 VectorXf CompactMatrix::transposed_times(const Eigen::Ref<const VectorXf>& v) const {
   VectorXf result(cols());
-  const float* factors = v.data();
+  const VectorXf scaled = v.cwiseProduct(norms_);
+  const float* factors = scaled.data();
   for (Index j = 0; j < cols(); ++j) {
     const std::int16_t* column = numbers_.data() + j * rows();
     float sum = 0.0F;

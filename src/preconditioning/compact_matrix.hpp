@@ -6,9 +6,10 @@
 
 namespace stokesbook {
 
-/// A matrix with 16 bits for each number, in units of a 32767th of the largest one of its column:
-/// half the memory of single precision, and half the time of products with vectors, which wait for
-/// the memory. Numbers are rounded by half a unit at most.
+/// A matrix with 16 bits for each number: half the memory of single precision, and half the time of
+/// products with vectors, which wait for the memory. Rows are scaled to the same norm, and then
+/// numbers are rounded to units of a 32767th of the largest one of their column. Without the scales,
+/// the small rows of the inverse of a nearly singular matrix would be lost beside the large ones.
 class CompactMatrix {
  public:
   CompactMatrix() = default;  ///< holds a matrix without rows and columns
@@ -33,6 +34,7 @@ class CompactMatrix {
 
  private:
   Eigen::Matrix<std::int16_t, Eigen::Dynamic, Eigen::Dynamic> numbers_;
+  Eigen::VectorXf norms_;  // of the rows, 1 for a row of zeros
   Eigen::VectorXf units_;  // one for each column
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include "preconditioning/boundary_pieces.hpp"
 #include "preconditioning/component_tree.hpp"
@@ -87,8 +88,10 @@ HierarchicalPreconditioner::HierarchicalPreconditioner(const StokesProblem& prob
                                   std::min(of_level.tolerance, least_tolerance));
     return_freed_memory(is_large);
   }
-  root_.compute(coupled_system(groups, far_field));
+  MatrixXf last = coupled_system(groups, far_field);
   groups.clear();
+  root_ = CompactMatrix(Eigen::PartialPivLU<Eigen::Ref<MatrixXf>>(last).inverse());
+  last.resize(0, 0);
   return_freed_memory(is_large);
 }
 
@@ -133,7 +136,7 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
     }
   }
   // Downwards: T^{-1} (z + Q (y - Q^T z)) with the solution y of the level above (13.8).
-  VectorXf solution = root_.solve(data.back());
+  VectorXf solution = root_.times(data.back());
   for (std::size_t l = levels_.size(); l-- > 0;) {
     const std::vector<Group>& groups = levels_[l];
     const VectorXf difference = solution - data[l + 1];
@@ -160,7 +163,7 @@ Eigen::VectorXd HierarchicalPreconditioner::operator()(const Eigen::VectorXd& v)
 }
 
 Index HierarchicalPreconditioner::bytes() const {
-  Index sum = 4 * root_.matrixLU().size();
+  Index sum = 2 * root_.size();
   for (const std::vector<Group>& level : levels_) {
     for (const Group& group : level) sum += 2 * (group.basis.size() + group.inverse.size());
   }

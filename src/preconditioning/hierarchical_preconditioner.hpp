@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include "krylov/block_diagonal.hpp"
 #include "preconditioning/compact_matrix.hpp"
@@ -26,7 +25,7 @@ struct HierarchySettings {
   /// expansions; > 1.
   double reach = 1.2;
   int order = 12;            ///< of these expansions
-  Eigen::Index root = 2500;  ///< a level with at most as many unknowns is factorised as a whole
+  Eigen::Index root = 1500;  ///< a level with at most as many unknowns is inverted as a whole
 };
 
 /// Preconditions by eliminating all components in a tree of groups.
@@ -37,7 +36,7 @@ struct HierarchySettings {
 /// system C couples all components. Let T be its blocks of groups of four. Then
 /// \f$ C = (I+B')T \f$ with \f$ B' = (C-T)T^{-1} \f$, and (13.7) replaces the inverse of
 /// \f$ I+B' \f$ in its turn, with the few directions in which groups are coupled (13.8). The last
-/// system is factorised. Nothing is left out because it is far away: distant groups are coupled by
+/// system is inverted. Nothing is left out because it is far away: distant groups are coupled by
 /// multipole expansions.
 /// @par Accuracy  iterations for random packings of disks, @ref claim_13_11, and in
 /// containers, @ref claim_13_13
@@ -65,7 +64,7 @@ class HierarchicalPreconditioner {
   /// @par Cost  reads all bytes() once
   Eigen::VectorXd operator()(const Eigen::VectorXd& v) const;
 
-  /// Returns the memory of the groups and the last factorisation, bytes.
+  /// Returns the memory of the groups and of the last inverse, bytes.
   Eigen::Index bytes() const;
 
  private:
@@ -89,7 +88,7 @@ class HierarchicalPreconditioner {
 
   std::vector<Single> singles_;             // in the order of the tree
   std::vector<std::vector<Group>> levels_;  // components, then larger and larger groups
-  Eigen::PartialPivLU<Eigen::MatrixXf> root_;
+  CompactMatrix root_;                      // inverse of the last level
 };
 
 }  // namespace stokesbook

@@ -1,6 +1,7 @@
 // Checks products with a matrix of 16 bits a number against those in single precision.
 #include "preconditioning/compact_matrix.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -14,43 +15,55 @@ using Eigen::VectorXf;
 
 namespace {
 
-// Returns a matrix whose columns have very different sizes, one of them zero.
-MatrixXf columns_of_many_sizes() {
+// Returns a matrix whose rows and columns have very different sizes, one of each zero.
+MatrixXf numbers_of_many_sizes() {
   MatrixXf matrix(37, 5);
   for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-      matrix(i, j) = std::pow(1e-3F, static_cast<float>(j)) *
+      matrix(i, j) = std::pow(1e-3F, static_cast<float>(j + i % 3)) *
                      std::sin(static_cast<float>(3 * i * i + 5 * j) + 0.4F);
     }
   }
   matrix.col(2).setZero();
+  matrix.row(30).setZero();
   return matrix;
 }
 
-// Half a unit: a 65534th of the largest number of each column.
-VectorXf rounding_of(const MatrixXf& matrix) {
-  return matrix.cwiseAbs().colwise().maxCoeff().transpose() / 65534.0F;
+// Returns half a unit of each number: a 65534th of the largest number of its column, when all rows
+// have been scaled to the norm 1, times the norm of its row.
+MatrixXf rounding_of(const MatrixXf& matrix) {
+  MatrixXf rounding(matrix.rows(), matrix.cols());
+  const VectorXf norms = matrix.rowwise().norm();
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+    float largest = 0.0F;
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+      if (norms[i] > 0.0F) largest = std::max(largest, std::abs(matrix(i, j)) / norms[i]);
+    }
+    rounding.col(j) = largest / 65534.0F * norms;
+  }
+  return rounding;
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(compact_matrix)
 
-BOOST_AUTO_TEST_CASE(numbers_are_rounded_to_the_unit_of_their_column) {
-  const MatrixXf matrix = columns_of_many_sizes();
+BOOST_AUTO_TEST_CASE(numbers_are_rounded_to_the_unit_of_their_row_and_column) {
+  const MatrixXf matrix = numbers_of_many_sizes();
   const CompactMatrix compact(matrix);
   BOOST_TEST(compact.rows() == 37);
   BOOST_TEST(compact.cols() == 5);
   BOOST_TEST(compact.size() == 185);
-  const VectorXf rounding = rounding_of(matrix);
+  const MatrixXf rounding = rounding_of(matrix);
   for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
     const VectorXf column = compact.times(VectorXf::Unit(5, j));
-    BOOST_TEST((column - matrix.col(j)).cwiseAbs().maxCoeff() <= 1.001F * rounding[j]);
+    const VectorXf error = (column - matrix.col(j)).cwiseAbs();
+    BOOST_TEST((error.array() <= 1.001F * rounding.col(j).array()).all());
   }
 }
 
 BOOST_AUTO_TEST_CASE(products_are_those_of_the_rounded_matrix) {
-  const MatrixXf matrix = columns_of_many_sizes();
+  const MatrixXf matrix = numbers_of_many_sizes();
   const CompactMatrix compact(matrix);
   MatrixXf rounded(37, 5);
   for (Eigen::Index j = 0; j < 5; ++j) rounded.col(j) = compact.times(VectorXf::Unit(5, j));
@@ -66,7 +79,7 @@ BOOST_AUTO_TEST_CASE(empty_matrices_and_numbers_that_are_not_finite) {
   BOOST_TEST(CompactMatrix().size() == 0);
   BOOST_TEST(CompactMatrix(MatrixXf(3, 0)).times(VectorXf(0)).norm() == 0.0F);
   BOOST_TEST(CompactMatrix(MatrixXf(3, 0)).times(VectorXf(0)).size() == 3);
-  MatrixXf matrix = columns_of_many_sizes();
+  MatrixXf matrix = numbers_of_many_sizes();
   matrix(4, 1) = std::numeric_limits<float>::infinity();
   BOOST_CHECK_THROW(CompactMatrix{matrix}, std::domain_error);
 }

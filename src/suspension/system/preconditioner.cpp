@@ -279,7 +279,10 @@ HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
   // A chain with tight gaps amplifies what is left out, and few directions couple its groups.
   if (2 * pairs_within(tight, inner, discretisation) >= count &&
       pairs_within(wide, inner, discretisation) < count) {
-    return {.tolerance = 0.2, .group_tolerance = 0.06};
+    // The last inverse is large, as no further level is accurate enough, but takes less than 0.25 MB
+    // for each component.
+    const double root = std::min(2500.0, 350.0 * std::sqrt(static_cast<double>(count)));
+    return {.tolerance = 0.2, .group_tolerance = 0.06, .root = static_cast<Index>(root)};
   }
   // With the same tolerances, iterations would grow with the number of components.
   constexpr double few = 500.0;
