@@ -195,9 +195,10 @@ std::vector<Case> in_lines(double gap, int most = 400, int most_in_quick = 100) 
 }
 
 // Packings that have been compressed until many bodies are at the least distance.
-std::vector<Case> jammed(const std::string& name, const std::function<Scene(int)>& scene) {
+std::vector<Case> jammed(const std::string& name, const std::function<Scene(int)>& scene,
+                         const std::vector<int>& counts = {30, 100, 300}) {
   std::vector<Case> cases;
-  for (const int count : {30, 100, 300}) {
+  for (const int count : counts) {
     cases.push_back({static_cast<double>(count), name + std::to_string(count),
                      [=] { return scene(count); }, true, 1e-7});
   }
@@ -208,10 +209,12 @@ std::vector<Case> jammed_ellipses() {
   return jammed("jammed ellipses ", [](int count) { return test::loaded_ellipses(count, 0.6); });
 }
 
-std::vector<Case> jammed_container(double aspect, double fraction) {
-  return jammed("jammed container " + std::to_string(aspect) + " ", [=](int count) {
-    return test::settling_in_container(aspect, count, fraction, 1e-3);
-  });
+std::vector<Case> jammed_container(double aspect, double fraction,
+                                   const std::vector<int>& counts = {30, 100, 300}) {
+  return jammed(
+      "jammed container " + std::to_string(aspect) + " ",
+      [=](int count) { return test::settling_in_container(aspect, count, fraction, 1e-3); },
+      counts);
 }
 
 // Compares the prices of a tree for the same packings.
@@ -413,6 +416,48 @@ Experiment fraction_prices() {
                        .error = "iterations; time and memory of a body",
                        .axes = Axes::semi_log,
                        .lines = prices(loaded_by_fraction())});
+}
+
+Experiment packing_memory() {
+  // More disks in a container take less time without a tree.
+  const std::vector<Case> in_container = jammed_container(1.0, 0.65, {30, 60, 100, 150});
+  const auto of = [](const std::vector<Case>& cases) {
+    return measured(cases, Kind::hierarchical, &Effort::kb_a_body);
+  };
+  return left_to_full(
+      {.key = "memory",
+       .title = "Memory of a tree of groups for packings with gaps of 0.001 and more",
+       .x = "number of bodies P",
+       .error = "kilobytes a body",
+       .lines = {
+           {.key = "disks",
+            .label = "disks, area fraction 0.65",
+            .measure = of(loaded_by_disks()),
+            .claim = Claim{.id = "13_17",
+                           .statement = "A tree of groups takes 150 kilobytes at most for each "
+                                        "disk of random packings of 40 to 1000 disks at the area "
+                                        "fraction 0.65, with gaps of 0.001 and more.",
+                           .law = AtMost{150.0},
+                           .reason = "the number of directions of a group grows like its rim",
+                           .api = {"stokesbook::HierarchicalPreconditioner"}},
+            .control = Control{"ellipses", of(jammed_ellipses())}},
+           {.key = "container",
+            .label = "disks in a container, area fraction 0.65",
+            .measure = of(in_container),
+            .claim = Claim{.id = "13_18",
+                           .statement = "A tree of groups takes 300 kilobytes at most for each of "
+                                        "up to 150 disks in a container at the area fraction 0.65, "
+                                        "with gaps of 0.001 and more.",
+                           .law = AtMost{300.0},
+                           .reason = "arcs of the wall are groups like others",
+                           .api = {"stokesbook::HierarchicalPreconditioner"}},
+            .control = Control{"ellipses", of(jammed_ellipses())}},
+           {.key = "ellipses",
+            .label = "ellipses 3:1, area fraction 0.6",
+            .measure = of(jammed_ellipses())},
+           {.key = "ellipses_in_container",
+            .label = "ellipses 3:1 in a container, area fraction 0.6",
+            .measure = of(jammed_container(3.0, 0.6))}}});
 }
 
 Experiment lines_of_disks() {

@@ -22,6 +22,7 @@ study::Experiment loaded_packings();
 study::Experiment packing_fractions();
 study::Experiment packing_prices();
 study::Experiment fraction_prices();
+study::Experiment packing_memory();
 study::Experiment lines_of_disks();
 study::Experiment containers();
 study::Experiment jammed_packings();

@@ -25,6 +25,7 @@ study::Study preconditioning_study() {
                           packing_fractions(),
                           packing_prices(),
                           fraction_prices(),
+                          packing_memory(),
                           lines_of_disks(),
                           containers(),
                           jammed_packings(),
