@@ -1,4 +1,4 @@
-"""Tests the checks of the pages: they must find each planted fault, and pass good texts."""
+"""Tests the checks of the pages: they must find each planted fault, and pass the texts of the book."""
 
 import pathlib
 import sys
@@ -19,6 +19,18 @@ TITLE = "# A title {#chapter_01}\n\n"
 
 def chapter(text):
     return check_pages.chapter_violations("chapter.md", TITLE + text)
+
+
+class ThisBook(unittest.TestCase):
+    """The build of the pages checks the same, but only the full tier builds them."""
+
+    def test_sources(self):
+        self.assertEqual(check_pages.source_violations(ROOT), [])
+
+    def test_pages_refer_to_their_figures_and_are_brief(self):
+        for path in [*ROOT.glob("chapters/*/chapter.md"), *ROOT.glob("docs/*.md")]:
+            with self.subTest(page=path):
+                self.assertEqual(number_pages.faults(path.read_text()), [])
 
 
 class Chapters(unittest.TestCase):
