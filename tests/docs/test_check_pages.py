@@ -1,4 +1,4 @@
-"""Tests the checks of the pages: they must find each planted fault, and pass the texts of the book."""
+"""Tests the checks of the pages: they must find planted faults, and pass the book."""
 
 import pathlib
 import sys

@@ -65,8 +65,8 @@ ClusterPreconditioner cluster_preconditioner(const StokesProblem& problem,
 
 /// Chooses which couplings of groups are expansions, and how much is left out: less where there are
 /// more than 500 components, so that the number of iterations hardly grows (@ref claim_13_15), and
-/// in chains with tight gaps; other numbers where there are at least as many narrow gaps as
-/// components, which make a stiff network.
+/// in chains with tight gaps, whose last level is also larger; other numbers where there are at
+/// least as many narrow gaps as components, which make a stiff network.
 HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
                                      const Discretisation& discretisation);
 
