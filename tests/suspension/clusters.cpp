@@ -41,11 +41,11 @@ Scene mixed(const std::vector<Wall>& walls) {
 }
 
 // Returns equal bodies in a square of rows and columns, with narrow gaps, in a round container.
-Scene square_in_container(int rows, const Ellipse& shape) {
+Scene square_in_container(int rows, const Ellipse& shape, double tolerance = 1e-5) {
   const Complex spacing{2.0 * shape.a + 0.03, 2.0 * shape.b + 0.03};
   const double radius = 0.5 * rows * std::abs(spacing) + 1.0;
   Scene result = scene({}, {}, {outer_wall(Circle{radius}, automatic_nodes)});
-  result.solver.tolerance = 1e-3;
+  result.solver.tolerance = tolerance;
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < rows; ++j) {
       const double x = i - 0.5 * (rows - 1), y = j - 0.5 * (rows - 1);
@@ -220,6 +220,8 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   BOOST_TEST((chosen(disk_hexagon(1, 1e-1)) == none));
   BOOST_TEST((chosen(disk_hexagon(2, 1e-2)) == hierarchical));
   BOOST_TEST((chosen(disk_hexagon(2, 1e-3)) == hierarchical));
+  BOOST_TEST((chosen(disk_hexagon(2, 1e-2, 1e-3)) == none));          // fewer digits
+  BOOST_TEST((chosen(disk_hexagon(2, 1e-3, 1e-3)) == hierarchical));  // but tight gaps
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.05)) == none));
   BOOST_TEST((chosen(disk_hexagon(3, 1e-1)) == none));
@@ -249,6 +251,14 @@ BOOST_AUTO_TEST_CASE(many_round_bodies_within_a_wall_have_no_tree) {
   Scene unbounded = square_in_container(13, round);
   unbounded.walls.clear();
   BOOST_TEST((chosen(unbounded) == hierarchical));
+  BOOST_TEST((chosen(square_in_container(9, round)) == hierarchical));
+  BOOST_TEST((chosen(square_in_container(9, round, 1e-3)) == block_diagonal));  // fewer digits
+}
+
+BOOST_AUTO_TEST_CASE(few_digits_need_a_tree_between_elongated_bodies_alone) {
+  using enum PreconditionerKind;
+  BOOST_TEST((chosen(square_in_container(4, {1.0, 0.9}, 1e-3)) == block_diagonal));
+  BOOST_TEST((chosen(square_in_container(4, {3.0, 1.0}, 1e-3)) == hierarchical));
 }
 
 BOOST_AUTO_TEST_CASE(a_factorised_system_leaves_nothing_to_iterate) {

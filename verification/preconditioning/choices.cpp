@@ -187,6 +187,11 @@ Experiment choices_in_contact() {
       {family("container", "disks that settle in a container, area fraction 0.55",
               [](int count) { return settling_in_container(1.0, count, 0.55, 0.005); },
               {10, 30, 100, 200, 300}),
+       family("coarse_container", "disks that settle in a container, 0.55, tolerance 1e-3",
+              [](int count) {
+                return with_tolerance(settling_in_container(1.0, count, 0.55, 0.005), 1e-3);
+              },
+              {30, 100}),
        family("wide_container", "disks that settle in a container, 0.3, 48 nodes each",
               [](int count) { return with_nodes(settling_in_container(1.0, count, 0.3, 0.1), 48); },
               {10, 30, 100, 300}),

@@ -172,12 +172,17 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
                const Discretisation& discretisation) {
   constexpr Index most_nodes = 256;
   // Tight or narrow gaps slow GMRES down so much that a tree pays, if there is one for this number
-  // of components.
+  // of components. With few digits, narrow gaps do so between elongated bodies alone.
   constexpr std::size_t components_a_tight_gap = 60, components_a_narrow_gap = 12;
+  constexpr double few_digits = 5.5;
   // Many wide gaps between many components do so, too, unless most components are far from all
   // others. The number of iterations and the time of each grow with the number of digits.
   constexpr std::size_t components_a_wide_gap = 10;
   constexpr double many = 245e3;
+  // Within a wall, many bodies move little under smooth loads, and GMRES takes few iterations
+  // without a tree, unless elongated bodies lock each other.
+  constexpr double many_within_wall = 3.0;
+  const double digits = -std::log10(plan.gmres_tolerance);
   if (std::ranges::any_of(discretisation, [](const auto& discretised) {
         return is_inner(discretised) && discretised->curve.size() > most_nodes;
       })) {
@@ -187,16 +192,13 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
   const std::size_t count = discretisation.size(),
                     n_narrow = pairs_within(narrow, inner, discretisation),
                     n_wide = pairs_within(wide, inner, discretisation);
-  // Within a wall, many bodies move little under smooth loads, and GMRES takes few iterations
-  // without a tree, unless elongated bodies lock each other.
-  constexpr std::size_t most_within_wall = 150;
-  const bool has_wall = std::ranges::any_of(discretisation, is_enclosing_wall);
-  if (has_wall && count > most_within_wall) {
-    return std::ranges::any_of(discretisation, is_elongated) && 2 * n_narrow >= 3 * count;
+  const bool has_elongated = std::ranges::any_of(discretisation, is_elongated);
+  if (std::ranges::any_of(discretisation, is_enclosing_wall) &&
+      static_cast<double>(count) > many_within_wall * digits * digits) {
+    return has_elongated && 2 * n_narrow >= 3 * count;
   }
-  const double digits = -std::log10(plan.gmres_tolerance);
   return components_a_tight_gap * pairs_within(tight, inner, discretisation) >= count ||
-         components_a_narrow_gap * n_narrow >= count ||
+         (components_a_narrow_gap * n_narrow >= count && (digits > few_digits || has_elongated)) ||
          (components_a_wide_gap * n_wide >= count &&
           digits * digits * static_cast<double>(count * n_wide) >= many);
 }

@@ -28,10 +28,11 @@ bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
 /// inner components, several narrow ones, or few very narrow ones, and few nodes on each component,
 /// since the time of the set-up grows as the cube of this number. Components most of which are far
 /// from all others take few iterations without a tree. Within an enclosing wall, a tree for more
-/// than 150 components pays only if they have three narrow gaps for two components, and some are
-/// elongated: the farthest point is more than 2.5 times as far from the centre as the nearest one.
+/// components than 3 times the squared number of digits pays only if they have three narrow gaps for
+/// two components, and some are elongated: the farthest point is more than 2.5 times as far from the
+/// centre as the nearest one.
 ///
-/// @param  plan  fewer gaps suffice the smaller its gmres_tolerance is
+/// @param  plan  the smaller its gmres_tolerance is, the fewer gaps suffice
 bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
                const Discretisation& discretisation);
 
