@@ -1,16 +1,18 @@
 """Prints the chapters, and the pages that explain their marks and letters, as one PDF.
 
-print_book.py FOLDER-OF-PAGES CHROMIUM     writes book.html and book.pdf into the folder
+print_book.py FOLDER-OF-PAGES CHROMIUM     writes book.pdf beside the folder
 """
 
+import contextlib
 import pathlib
 import re
 import subprocess
 import sys
 
+# Where all fits on the paper, the browser prints at this scale: text of 10 points in lines of 75 characters.
 STYLE = """<style>
-  @page { size: A4; margin: 18mm 14mm; @bottom-center { content: counter(page); font-size: 9pt; } }
-  body { overflow: visible; } .book-page { break-before: page; }
+  @page { size: A4; margin: 18mm 25mm; @bottom-center { content: counter(page); font-size: 9pt; } }
+  body { overflow: visible; zoom: 0.85; } .book-page { break-before: page; }
 </style>"""
 
 
@@ -44,11 +46,22 @@ def book_html(folder):
             + "".join(text for _, text in pages) + '<script src="site.js"></script></body></html>\n')
 
 
+@contextlib.contextmanager
+def one_page(folder):
+    """Yields the file of the whole book, which is among the pages, whose pictures it shows, for a while."""
+    page = folder / "book.html"
+    page.write_text(book_html(folder))
+    try:
+        yield page
+    finally:
+        page.unlink()
+
+
 def main(folder, chromium):
-    (folder / "book.html").write_text(book_html(folder))
-    subprocess.run([chromium, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1400,1000",
-                    "--virtual-time-budget=1000000", "--no-pdf-header-footer",
-                    f"--print-to-pdf={folder / 'book.pdf'}", (folder / "book.html").as_uri()], check=True)
+    with one_page(folder) as page:
+        subprocess.run([chromium, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1400,1000",
+                        "--virtual-time-budget=1000000", "--no-pdf-header-footer",
+                        f"--print-to-pdf={folder.parent / 'book.pdf'}", page.as_uri()], check=True)
 
 
 if __name__ == "__main__":

@@ -31,10 +31,12 @@ function found(index, query, words) {
 }
 
 (function addSearchBox() {
+  const top = document.getElementById("top");
+  if (!top) return;  // the printed book has no search
   const box = document.createElement("div");
   box.id = "book-search";
   box.innerHTML = '<input type="search" placeholder="Search (press /)" aria-label="Search the book"><ol></ol>';
-  document.getElementById("top").append(box);
+  top.append(box);
   const [field, list] = box.children;
 
   function show() {
@@ -118,5 +120,5 @@ for (const element of document.querySelectorAll(".claim p, .claim summary, .clai
 })();
 
 addEventListener("beforeprint", () => {
-  for (const folded of document.querySelectorAll("figure details")) folded.open = true;
+  for (const folded of document.querySelectorAll("details")) folded.open = true;
 });

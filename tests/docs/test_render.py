@@ -12,7 +12,8 @@ import unittest
 import browser
 import render
 
-sys.path.insert(0, str(pathlib.Path(__file__).parents[1]))
+sys.path[:0] = [str(pathlib.Path(__file__).parents[1]), str(pathlib.Path(__file__).parents[2] / "docs")]
+import print_book
 from tiers import full
 
 SITE = pathlib.Path(sys.argv.pop(1)).resolve()
@@ -114,6 +115,25 @@ class ThisBuild(unittest.TestCase):
             })()""")
         self.assertGreater(formulas, 10)
         self.assertEqual((cut, folded), (0, 0))
+
+    @full
+    def test_printed_book_fits_on_its_paper_and_folds_nothing(self):
+        with print_book.one_page(SITE) as page, browser.Browser(CHROMIUM) as chromium:
+            tab = chromium.tab()
+            tab.send("Emulation.setDeviceMetricsOverride", width=604, height=1000, deviceScaleFactor=1,
+                     mobile=False)  # 160 mm
+            tab.send("Emulation.setEmulatedMedia", media="print")
+            errors = tab.open(page.as_uri())
+            tab.evaluate("new Promise(done => MathJax.Hub.Queue(done))")
+            width, details, folded = tab.evaluate("""(() => {
+                dispatchEvent(new Event("beforeprint"));
+                return [document.documentElement.scrollWidth, document.querySelectorAll("details").length,
+                        document.querySelectorAll("details:not([open])").length];
+            })()""")
+        self.assertEqual(errors, [])
+        self.assertLessEqual(width, 604)  # a wider page would be printed smaller as a whole
+        self.assertGreater(details, 5)
+        self.assertEqual(folded, 0)
 
     def test_claims_are_filtered_and_sorted(self):
         with browser.Browser(CHROMIUM) as chromium:
