@@ -48,7 +48,7 @@ def book_html(folder):
 
 @contextlib.contextmanager
 def one_page(folder):
-    """Yields the file of the whole book, which is among the pages, whose pictures it shows, for a while."""
+    """Writes the whole book as one file beside the pictures that it shows; removes it in the end."""
     page = folder / "book.html"
     page.write_text(book_html(folder))
     try:

@@ -120,5 +120,5 @@ for (const element of document.querySelectorAll(".claim p, .claim summary, .clai
 })();
 
 addEventListener("beforeprint", () => {
-  for (const folded of document.querySelectorAll("details")) folded.open = true;
+  for (const folded of document.querySelectorAll("figure details, .book-page details")) folded.open = true;
 });

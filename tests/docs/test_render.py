@@ -135,6 +135,18 @@ class ThisBuild(unittest.TestCase):
         self.assertGreater(details, 5)
         self.assertEqual(folded, 0)
 
+    def test_paper_keeps_hints_folded(self):
+        with browser.Browser(CHROMIUM) as chromium:
+            tab = chromium.tab()
+            tab.open((SITE / "exercise_01_1.html").as_uri())
+            opened, folded = tab.evaluate("""(() => {
+                dispatchEvent(new Event("beforeprint"));
+                return ["[open]", ":not([open])"].map(
+                    state => document.querySelectorAll("details" + state).length);
+            })()""")
+        self.assertEqual(opened, 0)
+        self.assertGreater(folded, 0)
+
     def test_claims_are_filtered_and_sorted(self):
         with browser.Browser(CHROMIUM) as chromium:
             tab = chromium.tab()
