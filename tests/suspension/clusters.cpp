@@ -7,6 +7,7 @@
 #include "support/touching.hpp"
 #include "suspension/scenes.hpp"
 #include "suspension/system/preconditioner.hpp"
+#include "suspension/system/preconditioner_choice.hpp"
 
 namespace stokesbook::test {
 

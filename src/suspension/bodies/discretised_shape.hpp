@@ -52,6 +52,11 @@ struct DiscretisedShape {
   std::shared_future<std::shared_ptr<const Eigen::MatrixXd>> inverse_block{};
 };
 
+/// Returns true for bodies and inner walls, false for an enclosing wall.
+inline bool is_inner(const DiscretisedShape& discretised) {
+  return discretised.kind != ComponentKind::enclosing_wall;
+}
+
 /// The data that a discretised shape holds in addition to its nodes.
 struct DiscretisationNeeds {
   bool cauchy = false;                            ///< the Cauchy scheme of near corrections

@@ -10,6 +10,7 @@
 #include "null_space/null_space.hpp"
 #include "suspension/bodies/solver_error.hpp"
 #include "suspension/system/preconditioner.hpp"
+#include "suspension/system/preconditioner_choice.hpp"
 
 namespace stokesbook {
 

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "preconditioning/hierarchical_preconditioner.hpp"
+#include "suspension/bodies/gaps.hpp"
+#include "suspension/system/plan.hpp"
+
+namespace stokesbook {
+
+/// Returns whether a factorisation of the whole system takes less time than the iterations that it
+/// saves: in small systems with many narrow gaps, or with many pairs in contact, since a solve may
+/// be required for the force of each pair (chapter 13, section "When it pays").
+///
+/// @param  plan        gaps must be narrower, and nodes fewer, where a tree of groups of free bodies
+///                     is allowed
+/// @param  gaps        from find_gaps(), here and below
+/// @param  separation  least gap that contact maintains, length; 0: no contact
+bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
+                 const Discretisation& discretisation, double separation);
+
+/// Returns whether a tree of groups saves more time than its set-up takes: with many gaps between
+/// inner components, several narrow ones, or few very narrow ones, and few nodes on each component,
+/// since the time of the set-up grows as the cube of this number. Components most of which are far
+/// from all others take few iterations without a tree. Within an enclosing wall, a tree for more
+/// than 3 d^2 components pays only if they have three narrow gaps for two components, and some are
+/// elongated: the farthest point is more than 2.5 times as far from the centre as the nearest one.
+///
+/// @param  plan  with the tolerance 10^-d of GMRES; the more digits d, the fewer gaps suffice
+bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
+               const Discretisation& discretisation);
+
+/// Returns whether components have a network of contacts that is too stiff for a tree of groups: two
+/// gaps below 0.005 of the smaller radius of gyration for each of more than 30 components, all free.
+bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisation);
+
+/// Chooses the preconditioner of a configuration: none, block_diagonal, hierarchical, clusters (in
+/// crystals, where a tree would pay elsewhere), or direct.
+PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap>& gaps,
+                                         const Discretisation& discretisation, double separation);
+
+/// Chooses which couplings of groups are expansions, and how much is left out: less where there are
+/// more than 500 components, so that the number of iterations hardly grows (@ref claim_13_15), and
+/// in chains with tight gaps, whose last level is also larger; other numbers where there are at
+/// least as many narrow gaps as components, which make a stiff network.
+HierarchySettings hierarchy_settings(const std::vector<Gap>& gaps,
+                                     const Discretisation& discretisation);
+
+}  // namespace stokesbook
