@@ -130,11 +130,11 @@ BOOST_AUTO_TEST_CASE(axes_have_round_numbers) {
     BOOST_TEST(count(powers_of_two, tick) == 1);
   }
   BOOST_TEST(count(draw_plot(decay({{256, 1e-1}, {2048, 1e-9}})), ">1024<") == 1);
-  const std::string less_than_two_powers = draw_plot(decay({{40, 1e-1}, {100, 1e-9}}));
+  const std::string fewer_than_two_powers = draw_plot(decay({{40, 1e-1}, {100, 1e-9}}));
   for (const char* tick : {">40<", ">60<", ">80<", ">100<"}) {
-    BOOST_TEST(count(less_than_two_powers, tick) == 1);
+    BOOST_TEST(count(fewer_than_two_powers, tick) == 1);
   }
-  BOOST_TEST(count(less_than_two_powers, ">64<") == 0);
+  BOOST_TEST(count(fewer_than_two_powers, ">64<") == 0);
   const std::string gaps = draw_plot(decay({{1e-3, 1e-1}, {1e-1, 1e-9}}));
   for (const char* tick : {">0.001<", ">0.002<", ">0.05<", ">0.1<"}) {
     BOOST_TEST(count(gaps, tick) == 1);

@@ -194,9 +194,11 @@ std::vector<Case> in_lines(double gap, int most = 400, int most_in_quick = 100) 
   return cases;
 }
 
+const std::vector<int> jammed_counts{30, 100, 300};
+
 // Packings that have been compressed until many bodies are at the least distance.
 std::vector<Case> jammed(const std::string& name, const std::function<Scene(int)>& scene,
-                         const std::vector<int>& counts = {30, 100, 300}) {
+                         const std::vector<int>& counts = jammed_counts) {
   std::vector<Case> cases;
   for (const int count : counts) {
     cases.push_back({static_cast<double>(count), name + std::to_string(count),
@@ -210,7 +212,7 @@ std::vector<Case> jammed_ellipses() {
 }
 
 std::vector<Case> jammed_container(double aspect, double fraction,
-                                   const std::vector<int>& counts = {30, 100, 300}) {
+                                   const std::vector<int>& counts = jammed_counts) {
   return jammed(
       "jammed container " + std::to_string(aspect) + " ",
       [=](int count) { return test::settling_in_container(aspect, count, fraction, 1e-3); },

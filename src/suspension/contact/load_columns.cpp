@@ -68,8 +68,7 @@ double cosine(const SparseVector<double>& p, const SparseVector<double>& q) {
   return std::abs(p.dot(q)) / (p.norm() * q.norm());
 }
 
-// Returns the factors that scale loads: 1 for forces, 1 over the radius of gyration for torques; 0
-// for loads that supports bear.
+// Computes LoadColumns::load_scales().
 VectorXd load_scales_of(const Discretisation& discretisation) {
   VectorXd factors = VectorXd::Zero(static_cast<Index>(3 * discretisation.size()));
   for (std::size_t k = 0; k < discretisation.size(); ++k) {
