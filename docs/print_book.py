@@ -4,6 +4,7 @@ print_book.py FOLDER-OF-PAGES CHROMIUM     writes book.pdf beside the folder
 """
 
 import contextlib
+import html
 import pathlib
 import re
 import subprocess
@@ -14,6 +15,16 @@ STYLE = """<style>
   @page { size: A4; margin: 18mm 25mm; @bottom-center { content: counter(page); font-size: 9pt; } }
   body { overflow: visible; zoom: 0.85; } .book-page { break-before: page; }
 </style>"""
+
+
+WIDTH = 74  # characters of a program's output that fit on a line of the paper
+
+
+def shrunk_output(match):
+    """Returns a program's output, so small that no row of its tables takes two lines."""
+    text = html.unescape(re.sub("<[^>]*>", "", match[1]))
+    zoom = min(1.0, WIDTH / max(map(len, text.splitlines())))
+    return f'<pre class="fragment" style="zoom: {max(zoom, 0.7):.2f}">{match[1]}</pre>'
 
 
 def page_of_book(text, name, names):
@@ -28,6 +39,7 @@ def page_of_book(text, name, names):
         return match[0] if page.startswith("http") else ""
 
     body = re.sub(r'href="([^"]*)"', link, body)
+    body = re.sub(r'<pre class="fragment">(.*?)</pre>', shrunk_output, body, flags=re.DOTALL)
     return title, (f'<div class="book-page" id="{name}"><h1 class="title">{title}</h1>'
                    f'<div class="contents">{body}</div></div>\n')
 

@@ -125,15 +125,25 @@ class ThisBuild(unittest.TestCase):
             tab.send("Emulation.setEmulatedMedia", media="print")
             errors = tab.open(page.as_uri())
             tab.evaluate("new Promise(done => MathJax.Hub.Queue(done))")
-            width, details, folded = tab.evaluate("""(() => {
+            width, details, folded, broken = tab.evaluate("""(() => {
                 dispatchEvent(new Event("beforeprint"));
+                const is_broken = output => {
+                    const rows = output.textContent.replace(/\\n$/, "").split("\\n");
+                    const style = getComputedStyle(output);
+                    const height = output.clientHeight - 2 * parseFloat(style.paddingTop);
+                    const fits = Math.max(...rows.map(row => row.length)) <= 100;
+                    return fits && height > (rows.length + 0.5) * parseFloat(style.lineHeight);
+                };
                 return [document.documentElement.scrollWidth, document.querySelectorAll("details").length,
-                        document.querySelectorAll("details:not([open])").length];
+                        document.querySelectorAll("details:not([open])").length,
+                        [...document.querySelectorAll("pre.fragment")].filter(is_broken).map(
+                            output => output.textContent.slice(0, 40))];
             })()""")
         self.assertEqual(errors, [])
         self.assertLessEqual(width, 604)  # a wider page would be printed smaller as a whole
         self.assertGreater(details, 5)
         self.assertEqual(folded, 0)
+        self.assertEqual(broken, [])  # rows of a table that take two lines
 
     def test_paper_keeps_hints_folded(self):
         with browser.Browser(CHROMIUM) as chromium:
