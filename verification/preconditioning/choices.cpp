@@ -15,6 +15,7 @@
 #include "support/touching.hpp"
 #include "suspension/motion/simulation.hpp"
 #include "suspension/nodes/random_fill.hpp"
+#include "suspension/system/preconditioner_choice.hpp"
 
 namespace stokesbook::verification::preconditioning {
 

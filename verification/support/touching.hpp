@@ -2,7 +2,6 @@
 
 #include "suspension/solver/solver.hpp"
 #include "suspension/system/preconditioner.hpp"
-#include "suspension/system/preconditioner_choice.hpp"
 
 namespace stokesbook::test {
 

@@ -44,7 +44,7 @@ class BroadPhase {
     if (cell) lattice_ = lattice_of(*cell);
     ComplexVector corners(2 * static_cast<Eigen::Index>(discretisation.size()));
     for (std::size_t k = 0; k < discretisation.size(); ++k) {
-      encloses_.push_back(discretisation[k]->kind == ComponentKind::enclosing_wall);
+      encloses_.push_back(!is_inner(*discretisation[k]));
       radius_.push_back(outer_radius(discretisation[k]->curve, 0.0));
       rectangles_.push_back(square_about(configuration[k].position, radius_[k]));
       corners.segment<2>(2 * static_cast<Eigen::Index>(k)) << rectangles_[k].lower,

@@ -44,7 +44,7 @@ double pressure_datum(const SuspensionSolver& solver, const Solution& solution) 
   const Configuration& configuration = solution.instant.configuration;
   for (std::size_t k = 0; k < configuration.size(); ++k) {
     const DiscretisedShape& discretised = *solution.discretisation[k];
-    if (discretised.kind != ComponentKind::enclosing_wall) continue;
+    if (is_inner(discretised)) continue;
     const auto [position, orientation] = configuration[k];
     const Curve wall = place(discretised.curve, position, orientation);
     const std::vector<FlowDerivatives> flow = solver.derivatives(solution, wall.x);

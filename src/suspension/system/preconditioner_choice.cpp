@@ -15,7 +15,7 @@ namespace {
 /// Numbers of components, and of gaps between inner ones.
 struct InnerGaps {
   std::size_t components;
-  std::size_t wide = 0, narrow = 0, tight = 0;  // at most .5, .05, .005 of the smaller radius
+  std::size_t wide = 0, narrow = 0, tight = 0;  // below 0.5, 0.05, 0.005 times smaller_radius()
 };
 
 using DiscretisedPointer = std::shared_ptr<const DiscretisedShape>;
