@@ -41,6 +41,11 @@ Scene mixed(const std::vector<Wall>& walls) {
   return result;
 }
 
+Scene in_contact(Scene scene, double separation) {
+  scene.contact = ContactSettings{separation};
+  return scene;
+}
+
 // Returns equal bodies in a square of rows and columns, with narrow gaps, in a round container.
 Scene square_in_container(int rows, const Ellipse& shape, double tolerance = 1e-5) {
   const Complex spacing{2.0 * shape.a + 0.03, 2.0 * shape.b + 0.03};
@@ -211,10 +216,6 @@ BOOST_AUTO_TEST_CASE(neighbours_are_mutual_and_leave_enclosing_walls_out) {
 
 BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   using enum PreconditionerKind;
-  const auto in_contact = [](Scene scene, double separation) {
-    scene.contact = ContactSettings{separation};
-    return scene;
-  };
   BOOST_TEST((chosen(disk_chain(1e-3)) == direct));
   BOOST_TEST((chosen(disk_hexagon(1, 1e-3)) == hierarchical));  // more nodes
   BOOST_TEST((chosen(disk_hexagon(1, 1e-2)) == hierarchical));  // wider gaps
@@ -226,9 +227,9 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.05)) == none));
   BOOST_TEST((chosen(disk_hexagon(3, 1e-1)) == none));
-  BOOST_TEST((chosen(disk_hexagon(3, 1e-1, 1e-8)) == hierarchical));     // more digits
-  BOOST_TEST((chosen(disk_hexagon(4, 1e-1)) == hierarchical));           // many gaps, though wide
-  BOOST_TEST((chosen(in_contact(disk_hexagon(3, 1e-1), 0.1)) == none));  // too many nodes
+  BOOST_TEST((chosen(disk_hexagon(3, 1e-1, 1e-8)) == hierarchical));  // more digits
+  BOOST_TEST((chosen(disk_hexagon(4, 1e-1)) == hierarchical));        // many gaps, though wide
+  BOOST_TEST((chosen(in_contact(disk_hexagon(3, 1e-1), 0.1)) == hierarchical));  // too many nodes
   Scene two_of_many = disk_hexagon(2, 1.0);
   two_of_many.bodies.push_back(two_of_many.bodies.back());
   two_of_many.bodies.back().position *= 10.0;
@@ -254,6 +255,16 @@ BOOST_AUTO_TEST_CASE(many_round_bodies_within_a_wall_have_no_tree) {
   BOOST_TEST((chosen(unbounded) == hierarchical));
   BOOST_TEST((chosen(square_in_container(9, round)) == hierarchical));
   BOOST_TEST((chosen(square_in_container(9, round, 1e-3)) == block_diagonal));  // fewer digits
+}
+
+BOOST_AUTO_TEST_CASE(solves_for_contact_forces_share_a_tree) {
+  using enum PreconditionerKind;
+  const Scene many = square_in_container(13, {1.0, 0.9});
+  BOOST_TEST((chosen(in_contact(many, 1e-3)) == block_diagonal));
+  BOOST_TEST((chosen(in_contact(many, 1.0)) == hierarchical));
+  const Scene coarse = square_in_container(8, {1.0, 0.9}, 1e-3);
+  BOOST_TEST((chosen(in_contact(coarse, 1e-3)) == block_diagonal));
+  BOOST_TEST((chosen(in_contact(coarse, 1.0)) == hierarchical));
 }
 
 BOOST_AUTO_TEST_CASE(few_digits_need_a_tree_between_elongated_bodies_alone) {

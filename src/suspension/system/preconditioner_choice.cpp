@@ -35,6 +35,12 @@ bool is_elongated(const DiscretisedPointer& discretised) {
   return is_inner(*discretised) && distances.maxCoeff() > 2.5 * distances.minCoeff();
 }
 
+// Counts the pairs that a step may press together: their gaps are below 1.1 separations.
+Index count_contacts(const std::vector<Gap>& gaps, double separation) {
+  return std::ranges::count_if(gaps,
+                               [&](const Gap& gap) { return gap.points.gap < 1.1 * separation; });
+}
+
 // Returns the smaller radius of gyration of the two components at a gap.
 double smaller_radius(const Gap& gap, const Discretisation& discretisation) {
   return std::min(discretisation[gap.a]->gyration_radius, discretisation[gap.b]->gyration_radius);
@@ -63,21 +69,18 @@ bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
   const bool has_tree = plan.tree_allowed && std::ranges::none_of(discretisation, is_prescribed);
   const Index most_nodes_at_gaps = has_tree ? 400 : most_nodes;
   const double largest_gap = has_tree ? 0.003 : 0.02;
-  constexpr double in_contact = 1.1;  // gaps of pairs that a step may press together / separation
   Index nodes = 0;
   for (const auto& discretised : discretisation) nodes += discretised->curve.size();
   if (nodes > most_nodes) return false;
-  const auto contacts = std::ranges::count_if(
-      gaps, [&](const Gap& gap) { return gap.points.gap < in_contact * separation; });
   const auto narrow_gaps = std::ranges::count_if(gaps, [&](const Gap& gap) {
     return gap.points.gap < largest_gap * smaller_radius(gap, discretisation);
   });
-  return nodes <= most_nodes_a_contact * contacts ||
+  return nodes <= most_nodes_a_contact * count_contacts(gaps, separation) ||
          (nodes <= most_nodes_at_gaps && 3 * narrow_gaps >= std::ssize(discretisation));
 }
 
-bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
-               const Discretisation& discretisation) {
+bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps, const Discretisation& discretisation,
+               double separation) {
   constexpr Index most_nodes = 256;
   // Tight or narrow gaps slow GMRES down so much that a tree pays, if there is one for this number
   // of components. With few digits, narrow gaps do so between elongated bodies alone.
@@ -88,9 +91,10 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
   constexpr std::size_t components_a_wide_gap = 10;
   constexpr double many = 245e3;
   // Within a wall, many bodies move little under smooth loads, and GMRES takes few iterations
-  // without a tree, unless elongated bodies lock each other.
+  // without a tree, unless elongated bodies lock each other. The loads of contact are not smooth.
   constexpr double many_within_wall = 3.0;
   const double digits = -std::log10(plan.gmres_tolerance);
+  const bool in_contact = count_contacts(gaps, separation) > 1;  // many solves share a tree
   if (std::ranges::any_of(discretisation, [](const DiscretisedPointer& discretised) {
         return is_inner(*discretised) && discretised->curve.size() > most_nodes;
       })) {
@@ -99,7 +103,7 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
   const InnerGaps inner = count_inner_gaps(gaps, discretisation);
   const std::size_t count = inner.components;
   const bool has_elongated = std::ranges::any_of(discretisation, is_elongated);
-  if (std::ranges::any_of(discretisation, is_enclosing_wall) &&
+  if (!in_contact && std::ranges::any_of(discretisation, is_enclosing_wall) &&
       static_cast<double>(count) > many_within_wall * digits * digits) {
     return has_elongated && 2 * inner.narrow >= 3 * count;
   }
@@ -107,7 +111,7 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps,
          (components_a_narrow_gap * inner.narrow >= count &&
           (digits > few_digits || has_elongated)) ||
          (components_a_wide_gap * inner.wide >= count &&
-          digits * digits * static_cast<double>(count * inner.wide) >= many);
+          (in_contact || digits * digits * static_cast<double>(count * inner.wide) >= many));
 }
 
 bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
@@ -122,7 +126,7 @@ PreconditionerKind chosen_preconditioner(const Plan& plan, const std::vector<Gap
   if (plan.direct_allowed && direct_pays(plan, gaps, discretisation, separation)) {
     return PreconditionerKind::direct;
   }
-  if (plan.tree_allowed && tree_pays(plan, gaps, discretisation)) {
+  if (plan.tree_allowed && tree_pays(plan, gaps, discretisation, separation)) {
     return is_crystal(gaps, discretisation) ? PreconditionerKind::clusters
                                             : PreconditionerKind::hierarchical;
   }
