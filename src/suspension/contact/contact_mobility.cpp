@@ -24,6 +24,10 @@ namespace {
 // the columns are too inaccurate.
 constexpr int iterations_of_closer_column = 5;
 
+// Least part of the weights that counts as a new direction: a correction divides the errors of a
+// combination by this part.
+constexpr double least_new_part = 1e-3;
+
 // Largest motion that definite_correction() may add, over the solver's tolerance.
 constexpr double most_correction = 0.1, infinite = std::numeric_limits<double>::infinity();
 
@@ -44,13 +48,18 @@ ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution&
                                  MobilityColumns earlier, std::optional<double> exact)
     : columns_(solver, solution, std::move(earlier), exact.value_or(solver.plan().gmres_tolerance)),
       most_correction_(most_correction * solver.scene().solver.tolerance),
-      combination_tolerance_(exact.value_or(solver.plan().gmres_tolerance)),
       flow_norm_(solution.system->system.right_hand_side().norm()) {}
 
 MatrixXd ContactMobility::operator()(const SparseMatrix<double>& loads) {
   const std::size_t known = columns_.size();
   latest_columns_ = columns_.find(loads);
+  const auto size = static_cast<Index>(columns_.size());
   if (columns_.size() > known) refinement_iterations_ = 0;
+  if (columns_.has_solved_again()) {  // no earlier combination is accurate any more
+    combination_weights_.resize(0);
+    directions_.resize(size, 0);
+  }
+  directions_.conservativeResizeLike(MatrixXd::Zero(size, directions_.cols()));
   velocities_ = MatrixXd::Zero(loads.rows(), loads.cols());
   for (Index j = 0; j < loads.cols(); ++j) {
     const LoadColumn& column = columns_[latest_columns_[static_cast<std::size_t>(j)]];
@@ -112,24 +121,34 @@ bool ContactMobility::refine_combination(const VectorXd& multipliers) {
   if (refinement_iterations_ > iterations_of_closer_column * columns) return tighten();
   const auto [load, density] = combine(multipliers);
   const ComplexVector rhs = columns_.rhs_under(load);
-  const double strength = std::max(flow_norm_, rhs.norm());
-  const GmresResult found =
-      columns_.solve(rhs, combination_tolerance_ * strength / rhs.norm(), density);
+  const double exact = columns_.tightest() * std::max(flow_norm_, rhs.norm());
+  const GmresResult found = columns_.solve(rhs, exact / rhs.norm(), density);
   combination_weights_ = weights;
-  allowed_residual_ = 0.5 * combination_tolerance_ * strength;
+  allowed_residual_ = 0.5 * exact;
   if (found.iterations == 0) return false;
   const double residual = found.history.front() * rhs.norm(), more_than_known = residual / missing;
   const bool diverges =
       residual > std::exchange(combination_residual_, residual) && refinement_iterations_ > 0;
   refinement_iterations_ += found.iterations;
   if (diverges) tighten();
-  const ComplexVector change = (deinterleaved(found.solution) - density) / weights.squaredNorm();
+  const VectorXd direction = add_direction(weights);
+  const ComplexVector change = (deinterleaved(found.solution) - density) / direction.dot(weights);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const double weight = weights[static_cast<Index>(i)];
-    if (weight == 0.0) continue;
-    columns_.correct(i, weight * change, more_than_known * columns_[i].tolerance);
+    const double part = direction[static_cast<Index>(i)];
+    if (part == 0.0) continue;
+    columns_.correct(i, part * change, more_than_known * columns_[i].tolerance);
   }
   return true;
+}
+
+// Returns the part of the weights that no earlier combination has had. If it is small, returns all
+// of them.
+VectorXd ContactMobility::add_direction(const VectorXd& weights) {
+  const VectorXd part = weights - directions_ * (directions_.transpose() * weights);
+  if (part.norm() < least_new_part * weights.norm()) return weights;
+  directions_.conservativeResize(Eigen::NoChange, directions_.cols() + 1);
+  directions_.rightCols<1>() = part.normalized();
+  return part;
 }
 
 bool ContactMobility::accept_any_correction() {

@@ -53,12 +53,14 @@ class ContactMobility {
   /// allows for the scene's own flow, or for the flow of the loads if that is stronger.
   ///
   /// The difference between the accurate combination and that of the columns is added to the
-  /// columns in proportion to their weights: Broyden's update, the least change of the columns that
-  /// makes their combination right.
+  /// columns in proportion to the part of their weights that no earlier combination has had. This is
+  /// Broyden's projected update: the least change of the columns that makes this combination right
+  /// and keeps the earlier ones so.
   /// @param  multipliers  m numbers, one a column of the latest loads; or none
   /// @return              true if columns have changed, or will be solved to a tighter tolerance;
   ///                      false if the combination is as accurate as possible
   /// @par Cost      a solve; none if the multipliers have hardly changed
+  /// @sa source: Gay and Schnabel, Nonlinear Programming 3 (1978), 245
   bool refine(const Eigen::VectorXd& multipliers);
 
   /// Divides the tolerance of all columns by ten from now on. Returns false if the tolerance was
@@ -88,6 +90,7 @@ class ContactMobility {
  private:
   bool refine_combination(const Eigen::VectorXd& multipliers);
   Eigen::VectorXd column_weights(const Eigen::VectorXd& multipliers) const;
+  Eigen::VectorXd add_direction(const Eigen::VectorXd& weights);
   double residual_bound(const Eigen::VectorXd& weights) const;
   std::pair<Eigen::SparseVector<double>, ComplexVector> combine(
       const Eigen::VectorXd& multipliers) const;
@@ -95,15 +98,15 @@ class ContactMobility {
   LoadColumns columns_;                      // columns of all loads so far
   std::vector<std::size_t> latest_columns_;  // columns of the loads of the latest call
   Eigen::MatrixXd velocities_;               // velocities of these columns
-  Eigen::MatrixXd correction_;    // correction of these velocities, by definite_correction()
-  double most_correction_;        // largest motion of the correction, over the velocity scale
-  bool corrects_ = true;          // false: columns are used without a correction
-  double combination_tolerance_;  // relative residual of combinations
-  double flow_norm_;              // norm of the scene's own right-hand side
+  Eigen::MatrixXd correction_;  // correction of these velocities, by definite_correction()
+  double most_correction_;      // largest motion of the correction, over the velocity scale
+  bool corrects_ = true;        // false: columns are used without a correction
+  double flow_norm_;            // norm of the scene's own right-hand side
   Eigen::VectorXd combination_weights_;  // weights of the latest combination that was solved for
   double combination_residual_ = 0.0;    // residual of that combination before its solve
-  double allowed_residual_ = 0.0;        // residual that it may have
-  int refinement_iterations_ = 0;        // iterations of refinements since the latest new load
+  Eigen::MatrixXd directions_;     // orthonormal; span the weights of all accurate combinations
+  double allowed_residual_ = 0.0;  // residual that it may have
+  int refinement_iterations_ = 0;  // iterations of refinements since the latest new load
 };
 
 }  // namespace stokesbook

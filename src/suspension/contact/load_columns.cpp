@@ -106,10 +106,13 @@ LoadColumns::LoadColumns(const SuspensionSolver& solver, Solution solution, Mobi
 std::vector<std::size_t> LoadColumns::find(const SparseMatrix<double>& loads) {
   const SparseMatrix<double> scaled_loads = load_scales_.asDiagonal() * loads;
   const VectorXd angles = smallest_angles(scaled_loads);
+  const std::size_t known = columns_.size();
   std::vector<std::size_t> found;
+  solved_again_ = false;
   for (Index j = 0; j < loads.cols(); ++j) {
     found.push_back(find_or_add({loads.col(j), scaled_loads.col(j), {}}));
-    solve_to_tolerance(columns_[found.back()], angles[j]);
+    const bool has_changed = solve_to_tolerance(columns_[found.back()], angles[j]);
+    solved_again_ |= has_changed && found.back() < known;
   }
   return found;
 }
@@ -202,13 +205,15 @@ std::size_t LoadColumns::find_or_add(LoadColumn column) {
 }
 
 // Nearly parallel loads, of two contact points in one flat gap, require a tolerance that is tighter
-// in proportion to the angle between them.
-void LoadColumns::solve_to_tolerance(LoadColumn& column, double angle) {
-  if (column.tolerance <= std::max(tightest_, angle * tolerance_)) return;
+// in proportion to the angle between them. Returns whether the column has changed.
+bool LoadColumns::solve_to_tolerance(LoadColumn& column, double angle) {
+  if (column.tolerance <= std::max(tightest_, angle * tolerance_)) return false;
   column.tolerance = std::max(tightest_, angle * std::min(tolerance_, most_solved_tolerance));
   const ComplexVector rhs = rhs_under(column.load);
-  column.density = deinterleaved(solve(rhs, column.tolerance, column.density).solution);
+  const GmresResult result = solve(rhs, column.tolerance, column.density);
+  column.density = deinterleaved(result.solution);
   complete(column, rhs.norm());
+  return result.iterations > 0;
 }
 
 void LoadColumns::correct(std::size_t column, const ComplexVector& change, double tolerance) {

@@ -57,6 +57,9 @@ class LoadColumns {
   /// @throws SolverError when GMRES does not converge
   std::vector<std::size_t> find(const Eigen::SparseMatrix<double>& loads);
 
+  /// Returns whether the latest find() has solved again for a column that was known before.
+  bool has_solved_again() const { return solved_again_; }
+
   /// Adds a change to the density of a column.
   /// @param  tolerance  the relative residual that the column has had, if it exceeds the estimate
   void correct(std::size_t column, const ComplexVector& change, double tolerance);
@@ -84,6 +87,7 @@ class LoadColumns {
   const Eigen::VectorXd& load_scales() const { return load_scales_; }
 
   const Solution& solution() const { return solution_; }  ///< returns that of the constructor
+  double tightest() const { return tightest_; }           ///< returns that of the constructor
   /// Returns a column by the number that find() has returned.
   const LoadColumn& operator[](std::size_t column) const { return columns_[column]; }
   std::size_t size() const { return columns_.size(); }  ///< counts the columns
@@ -94,7 +98,7 @@ class LoadColumns {
   std::size_t find_or_add(LoadColumn column);
   void reuse_similar(LoadColumn& column) const;
   void solve_by_factors(LoadColumn& column) const;
-  void solve_to_tolerance(LoadColumn& column, double angle);
+  bool solve_to_tolerance(LoadColumn& column, double angle);
   void complete(LoadColumn& column, double rhs_norm) const;
 
   const SuspensionSolver& solver_;
@@ -105,6 +109,7 @@ class LoadColumns {
   Eigen::VectorXd load_scales_;
   std::vector<LoadColumn> earlier_columns_;  // columns of earlier configurations, on these nodes
   std::vector<LoadColumn> columns_;          // columns of all loads so far
+  bool solved_again_ = false;
   SolveCost cost_;
   int solves_ = 0;
 };
