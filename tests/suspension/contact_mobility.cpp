@@ -110,6 +110,29 @@ BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
   BOOST_TEST(now.solves() <= 2);
 }
 
+// Combinations that were made accurate stay so while others are. Columns that are solved for again
+// change them: they are made accurate once more.
+BOOST_AUTO_TEST_CASE(combinations_remain_accurate) {
+  const Chain chain;
+  const Loads loads = pushes(chain.start, 0.0);
+  ContactMobility now(chain.solver, chain.solver.solve(chain.solver.instant(chain.start)));
+  const VectorXd first{{3e3, 1e3, 2e3, 5e2}}, second{{3e3, 1.2e3, 2e3, 5e2}};
+  const MatrixXd exact = chain.exact(chain.start, loads);
+  const auto error = [&](const VectorXd& weights) {
+    const VectorXd expected = exact * weights;
+    return (now(loads) * weights - expected).cwiseAbs().maxCoeff() / expected.cwiseAbs().maxCoeff();
+  };
+  now(loads);
+  while (now.refine(first)) now(loads);
+  BOOST_TEST(error(second) > 1e-5);
+  while (now.refine(second)) now(loads);
+  BOOST_TEST(error(first) < 1e-6);
+  for (int times = 0; times < 2; ++times) BOOST_TEST(now.tighten());
+  BOOST_TEST(error(second) > 1e-6);
+  while (now.refine(second)) now(loads);
+  BOOST_TEST(error(second) < 1e-6);
+}
+
 // If the whole configuration turns rigidly, the loads and the velocities turn with it.
 BOOST_AUTO_TEST_CASE(loads_turn_with_the_components) {
   const Chain chain;
