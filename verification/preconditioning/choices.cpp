@@ -106,7 +106,7 @@ Scene between_circles(int count) {
   return place_fills(file);
 }
 
-/// Returns bodies of one area, in contact with each other, in a circle that turns.
+/// Returns bodies of one area, kept apart by contact, in a circle that turns.
 Scene in_turning_circle(const Shape& shape, int count) {
   constexpr double gap = 0.01;
   const double radius = 0.365 * std::sqrt(static_cast<double>(count));
