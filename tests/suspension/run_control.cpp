@@ -114,6 +114,27 @@ BOOST_AUTO_TEST_CASE(events_that_differ_by_rounding_are_one) {
   }
 }
 
+// Three times 0.3 is less than 0.9 by rounding: the frame of the end is that of the third multiple.
+BOOST_AUTO_TEST_CASE(the_end_is_written_once_if_a_multiple_differs_by_rounding) {
+  const auto expect_four_frames = [](const Scene& scene) {
+    std::vector<double> times;
+    for (const Frame& frame : record(SuspensionSolver(scene), {}, nullptr).frames) {
+      times.push_back(frame.t);
+    }
+    const std::vector<double> expected{0.0, 0.3, 0.6, 0.9};
+    BOOST_TEST(times == expected, boost::test_tools::per_element());
+  };
+  for (const SteppingMethod method : methods) {
+    Scene scene = sheared_pair(method);
+    scene.time->t_final = 0.9;
+    scene.output.dt_write = 0.3;
+    expect_four_frames(scene);
+    if (method != SteppingMethod::euler && method != SteppingMethod::heun) continue;
+    scene.contact = ContactSettings{.minimum_separation = 0.1};
+    expect_four_frames(scene);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(euler_solves_once_at_the_start_and_at_the_end_of_each_step) {
   const SuspensionSolver solver(sheared_pair(SteppingMethod::euler));
   Simulation simulation(solver, {});

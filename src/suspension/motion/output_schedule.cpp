@@ -43,6 +43,16 @@ bool OutputSchedule::is_written(double t) const {
   return nearest >= t - rounding_ && nearest <= t + rounding_;
 }
 
+std::vector<double> OutputSchedule::written_within(double t, double end) const {
+  const double before = is_written(end) ? end - same_time * dt_write_.value_or(0.0) : end;
+  std::vector<double> times;
+  for (double next = next_written(t); next < before; next = next_written(next)) {
+    times.push_back(next);
+  }
+  return times;
+}
+
+// Returns the first multiple of output.dt_write after a time; infinite if there is no dt_write.
 double OutputSchedule::next_written(double t) const {
   if (!dt_write_) return std::numeric_limits<double>::infinity();
   double k = std::floor(t / *dt_write_);

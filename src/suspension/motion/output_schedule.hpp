@@ -28,8 +28,9 @@ class OutputSchedule {
   /// output.dt_write and at the end; at all times if there is no dt_write.
   bool is_written(double t) const;
 
-  /// Returns the first multiple of output.dt_write after a time; infinite if there is no dt_write.
-  double next_written(double t) const;
+  /// Returns the multiples of output.dt_write after a time and before the end of a step; none that
+  /// differs from the end by rounding alone, if a frame is written there.
+  std::vector<double> written_within(double t, double end) const;
 
   /// Returns the time that a step from t must not pass: the first of end, next event and,
   /// without interpolation, next written time.
@@ -40,6 +41,8 @@ class OutputSchedule {
   bool depends_on_end(double t) const { return next_event(t) >= t_final_; }
 
  private:
+  double next_written(double t) const;
+
   double t_final_;
   std::optional<double> dt_write_;
   std::vector<double> reversals_, events_;  // ascending

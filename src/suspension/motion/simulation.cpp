@@ -150,8 +150,8 @@ void Simulation::write(const StepStart& start) {
 
 // Writes the frames between the ends of a step. Their solves leave no trace in the next ones.
 void Simulation::write_within(const Step& step) {
-  for (double t = schedule_.next_written(std::max(step.start.t, state_.last_written));
-       t < step.end.t; t = schedule_.next_written(t)) {
+  const double after = std::max(step.start.t, state_.last_written);
+  for (const double t : schedule_.written_within(after, step.end.t)) {
     const VectorXd state = interpolate(step, t);
     TimedSolution frame = instants_.solve({t, step.start.t}, configuration_of(solver_, state));
     instants_.memory() = std::move(frame.before);
