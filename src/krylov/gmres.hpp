@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,6 +15,9 @@ using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 struct GmresOptions {
   double tolerance = 1e-10;  ///< bound of |b - A x| / |b| in the 2-norm
   int max_iterations = 500;  ///< largest Krylov space; there is no restart
+  /// A bound of |A x| / |x|, if one is known. The residual of the solution is then that of the
+  /// recurrence, without a product, where rounding errors are below a hundredth of the tolerance.
+  double norm = std::numeric_limits<double>::infinity();
 };
 
 /// Solution and convergence history of gmres().
@@ -22,7 +26,7 @@ struct GmresResult {
   int iterations = 0;        ///< dimension of the Krylov space
   int applications = 0;      ///< applications of A
   bool converged = false;    ///< the residual of the recurrence meets the tolerance
-  double residual = 0.0;     ///< true relative residual |b - A x| / |b|
+  double residual = 0.0;     ///< relative residual |b - A x| / |b|
   /// Relative residual by the recurrence, before and after each iteration.
   std::vector<double> history;
 };
@@ -47,8 +51,9 @@ struct GmresResult {
 /// @par Accuracy  the residuals of the recurrence and of the solution agree to rounding,
 /// @ref claim_05_7; for the reduced form, the error of the motions is the tolerance within a factor
 /// of 10, @ref claim_05_23
-/// @par Cost      for k iterations, k + 1 applications of the operator, one more with a guess, k of
-/// the preconditioner, 4 n k^2 operations, and n k numbers of memory, 2 n k with a preconditioner
+/// @par Cost      for k iterations, k + 1 applications of the operator, k with GmresOptions::norm;
+/// one more with a guess; k of the preconditioner, 4 n k^2 operations, and n k numbers of memory,
+/// 2 n k with a preconditioner
 /// @sa source: Saad, Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856; Saad, SIAM J. Sci. Comput.
 /// 14 (1993) 461
 GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const Eigen::VectorXd& b,

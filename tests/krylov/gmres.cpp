@@ -153,6 +153,20 @@ BOOST_AUTO_TEST_CASE(a_guess_saves_iterations_but_not_digits) {
   BOOST_TEST(gmres(map_of(a), {}, b, {1e-10, 500}, exact).iterations == 0);
 }
 
+BOOST_AUTO_TEST_CASE(with_a_known_norm_the_residual_takes_no_product_unless_rounding_matters) {
+  const MatrixXd a = well_conditioned_matrix(60, 21);
+  const VectorXd b = normal_matrix(60, 1, 22);
+  for (const double tolerance : {1e-2, 1e-6, 1e-12}) {
+    for (const double norm : {a.norm(), 1e12 * a.norm()}) {
+      const GmresResult result = gmres(map_of(a), {}, b, {tolerance, 500, norm});
+      BOOST_TEST(result.converged);
+      const bool matters = tolerance < 1e-9 || norm > 1e9;
+      BOOST_TEST(result.applications == result.iterations + (matters ? 1 : 0));
+      BOOST_TEST(std::abs(result.residual - residual(a, result.solution, b)) < 1e-14);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_guess_that_is_worse_than_nothing_is_ignored) {
   const MatrixXd a = well_conditioned_matrix(30, 19);
   const VectorXd b = normal_matrix(30, 1, 20);

@@ -85,8 +85,8 @@ struct LinearSystem {
 /// @param  guess  density with which GMRES begins; empty: zero
 /// @return        solution, interleaved, and history
 /// @throws SolverError when gmres() breaks down, or meets numbers that are not finite
-GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs,
-                  const GmresOptions& options, const ComplexVector& guess = {});
+GmresResult solve(const LinearSystem& discrete, const ComplexVector& rhs, GmresOptions options,
+                  const ComplexVector& guess = {});
 
 /// Builds the linear system of a problem without a preconditioner, for a few products. Its near
 /// corrections store no rows, which take much memory and pay only in many products.
