@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "double_layer/stresslet_sum.hpp"
 #include "trapezoid/fourier.hpp"
 
 namespace stokesbook {
@@ -59,14 +60,14 @@ Eigen::MatrixXd double_layer_matrix(const std::vector<Curve>& curves) {
 }
 
 double rigid_motion_residual(const Curve& curve) {
-  const Eigen::MatrixXd matrix = double_layer_matrix(curve);
+  const StressletSum sum({curve});
   const ComplexVector arm = (curve.x.array() - boundary_centroid(curve)).matrix();
   const double size = arm.cwiseAbs().maxCoeff();
   // D v = -s v / 2 for every rigid motion v (02.7); the residual's modes |k| <= 4 come first and
   // last among the coefficients.
   const auto residual = [&](const ComplexVector& v) {
-    const Eigen::VectorXd error = matrix * interleaved(v) + 0.5 * curve.sign() * interleaved(v);
-    const ComplexVector modes = fourier_coefficients(deinterleaved(error));
+    const ComplexVector error = sum(v) + diagonal_velocity(curve, v) + 0.5 * curve.sign() * v;
+    const ComplexVector modes = fourier_coefficients(error);
     return std::max(modes.head(5).cwiseAbs().maxCoeff(), modes.tail(4).cwiseAbs().maxCoeff());
   };
   return std::max({residual(ComplexVector::Constant(curve.size(), 1.0)),
