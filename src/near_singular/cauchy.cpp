@@ -69,10 +69,10 @@ CauchyCurve::CauchyCurve(const Curve& reference, KernelStorage storage)
 
 // phi = -C+[eta] / 2 (06.10), and the limit U = -eta / 2 + D eta from the fluid (02.8).
 CauchyCurve::Matrices CauchyCurve::matrices() const {
-  const MatrixXcd phi = -0.5 * cauchy_matrix(curve_);
-  MatrixXd limit = double_layer_matrix(curve_);
-  limit.diagonal().array() -= 0.5;
-  return {phi, along(curve_, phi), limit};
+  Matrices matrices{-0.5 * cauchy_matrix(curve_), {}, double_layer_matrix(curve_)};
+  matrices.dphi = along(curve_, matrices.phi);
+  matrices.limit.diagonal().array() -= 0.5;
+  return matrices;
 }
 
 CauchyData CauchyCurve::data(const MatrixXcd& densities) const {

@@ -71,6 +71,19 @@ LayerBlock layer_blocks(const StokesProblem& problem, const std::vector<PlacedCu
   };
 }
 
+// Makes the schemes of enclosing walls keep their matrices, since the layer of a wall is assembled
+// for a few bodies at a time. The scheme of equidistant nodes keeps them already.
+std::vector<PlacedCurve> keep_matrices_of_walls(std::vector<PlacedCurve> placed,
+                                                const Discretisation& discretisation) {
+  for (std::size_t k = 0; k < placed.size(); ++k) {
+    auto* scheme = std::get_if<std::shared_ptr<const CauchyCurve>>(&placed[k].scheme);
+    const DiscretisedShape& discretised = *discretisation[k];
+    if (!scheme || is_inner(discretised) || !discretised.resolution.is_graded()) continue;
+    *scheme = std::make_shared<CauchyCurve>((*scheme)->curve(), KernelStorage::stored);
+  }
+  return placed;
+}
+
 // Inverts the cluster_block() of each distinct inner shape, and returns the inverse of every inner
 // component. Enclosing walls have none.
 std::vector<BlockDiagonalPreconditioner::Member> components_alone(
@@ -162,10 +175,11 @@ HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& prob
                                                        const Discretisation& discretisation,
                                                        const std::vector<PlacedCurve>& placed,
                                                        const HierarchySettings& settings) {
+  const std::vector<PlacedCurve> with_matrices = keep_matrices_of_walls(placed, discretisation);
   return {
       problem,
       components_alone(configuration, discretisation, ClusterForm::mobility, held_gauge(problem)),
-      layer_blocks(problem, placed, layer_tolerance), settings};
+      layer_blocks(problem, with_matrices, layer_tolerance), settings};
 }
 
 LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const Scene& scene,
