@@ -261,6 +261,14 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   two_of_many.bodies.push_back(two_of_many.bodies.back());
   two_of_many.bodies.back().position += 2.05;
   BOOST_TEST((chosen(in_contact(two_of_many, 0.05)) == none));  // too few pairs
+  Scene three_of_many = disk_hexagon(3, 1e-1, 1e-5);
+  for (const double place : {20.0, 30.0, 40.0}) {
+    for (const double aside : {0.0, 2.05}) {
+      three_of_many.bodies.push_back(three_of_many.bodies.back());
+      three_of_many.bodies.back().position = {place, aside};
+    }
+  }
+  BOOST_TEST((chosen(in_contact(three_of_many, 0.05)) == none));  // few pairs, and no wall
   BOOST_TEST((chosen(disk_packing(150)) == hierarchical));
   BOOST_TEST((chosen(loaded_packing(1000, 0.1)) == hierarchical));
   BOOST_TEST((chosen(loaded_packing(1000, 0.05)) == none));  // most disks are far from all others

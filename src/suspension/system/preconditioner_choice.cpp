@@ -94,7 +94,11 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps, const Discretisat
   // without a tree, unless elongated bodies lock each other. The loads of contact are not smooth.
   constexpr double many_within_wall = 3.0;
   const double digits = -std::log10(plan.gmres_tolerance);
-  const bool in_contact = count_contacts(gaps, separation) > 1;  // many solves share a tree
+  // Contact forces may take many solves, which share a tree: near a wall, whose film moves little,
+  // and where most bodies touch. Elsewhere pairs that stay in contact take few.
+  const Index contacts = count_contacts(gaps, separation);
+  const bool in_wall = std::ranges::any_of(discretisation, is_enclosing_wall);
+  const bool in_contact = contacts >= (in_wall ? 2 : std::ssize(discretisation));
   if (std::ranges::any_of(discretisation, [](const DiscretisedPointer& discretised) {
         return is_inner(*discretised) && discretised->curve.size() > most_nodes;
       })) {
@@ -103,8 +107,7 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps, const Discretisat
   const InnerGaps inner = count_inner_gaps(gaps, discretisation);
   const std::size_t count = inner.components;
   const bool has_elongated = std::ranges::any_of(discretisation, is_elongated);
-  if (!in_contact && std::ranges::any_of(discretisation, is_enclosing_wall) &&
-      static_cast<double>(count) > many_within_wall * digits * digits) {
+  if (!in_contact && in_wall && static_cast<double>(count) > many_within_wall * digits * digits) {
     return has_elongated && 2 * inner.narrow >= 3 * count;
   }
   return components_a_tight_gap * inner.tight >= count ||

@@ -22,10 +22,11 @@ bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
 /// Returns whether a tree of groups saves more time than its set-up takes: with many gaps between
 /// inner components, several narrow ones, or few very narrow ones, and few nodes on each component,
 /// since the time of the set-up grows as the cube of this number. Components most of which are far
-/// from all others take few iterations without a tree. The solves for the forces of two and more
-/// pairs in contact share a tree. Within an enclosing wall, with fewer such pairs, a tree for more
-/// than 3 d^2 components pays only if they have three narrow gaps for two components, and some are
-/// elongated: the farthest point is more than 2.5 times as far from the centre as the nearest one.
+/// from all others take few iterations without a tree. Many solves for contact forces share a tree:
+/// with two pairs in contact within an enclosing wall, elsewhere with as many as there are
+/// components. Within a wall, with fewer such pairs, a tree for more than 3 d^2 components pays only
+/// if they have three narrow gaps for two components, and some are elongated: the farthest point is
+/// more than 2.5 times as far from the centre as the nearest one.
 ///
 /// @param  plan        with the tolerance 10^-d of GMRES; the more digits d, the fewer gaps suffice
 /// @param  separation  as in direct_pays()
