@@ -127,9 +127,8 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
   }
   // x = x_0 + sum_k y_k M^{-1} v_k, with the vectors M^{-1} v_k that the iteration has computed.
   const VectorXd y = least_squares.solve();
-  double sum_of_norms = y.cwiseAbs().sum();  // of the terms y_k M^{-1} v_k
+  double sum_of_norms = 0.0;  // of the terms y_k M^{-1} v_k
   if (precondition) {
-    sum_of_norms = 0.0;
     for (Index k = 0; k < y.size(); ++k) {
       const VectorXd& direction = preconditioned[static_cast<std::size_t>(k)];
       result.solution += y[k] * direction;
@@ -137,6 +136,7 @@ GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const V
     }
   } else {
     result.solution += basis.leftCols(y.size()) * y;
+    sum_of_norms = y.cwiseAbs().sum();
   }
   result.applications += result.iterations;
   result.residual = result.history.back();

@@ -51,9 +51,9 @@ struct GmresResult {
 /// @par Accuracy  the residuals of the recurrence and of the solution agree to rounding,
 /// @ref claim_05_7; for the reduced form, the error of the motions is the tolerance within a factor
 /// of 10, @ref claim_05_23
-/// @par Cost      for k iterations, k + 1 applications of the operator, k with GmresOptions::norm;
-/// one more with a guess; k of the preconditioner, 4 n k^2 operations, and n k numbers of memory,
-/// 2 n k with a preconditioner
+/// @par Cost      for k iterations, k + 1 applications of the operator, or k where
+/// GmresOptions::norm saves one, and one more with a guess; k of the preconditioner, 4 n k^2
+/// operations, and n k numbers of memory, 2 n k with a preconditioner
 /// @sa source: Saad, Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856; Saad, SIAM J. Sci. Comput.
 /// 14 (1993) 461
 GmresResult gmres(const LinearMap& apply, const LinearMap& precondition, const Eigen::VectorXd& b,
