@@ -25,6 +25,7 @@ study::Experiment noisy_rates();
 study::Experiment sweeps();
 study::Experiment lagged();
 study::Experiment guesses();
+study::Experiment guesses_after_stages();
 study::Experiment saved_iterations();
 /// @}
 

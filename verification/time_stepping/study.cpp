@@ -29,6 +29,7 @@ study::Study time_stepping_study() {
                           sweeps(),
                           lagged(),
                           guesses(),
+                          guesses_after_stages(),
                           saved_iterations()}};
 }
 

@@ -1,8 +1,10 @@
 // Measures guesses of densities that are extrapolated from earlier densities: their residual as a
-// function of the step, and the iterations that they save.
+// function of the step, and the iterations that they save. Measures guesses from the density of a
+// stage, which lies off the path of the bodies.
 #include <cmath>
 
 #include "experiments.hpp"
+#include "suspension/motion/instant_solver.hpp"
 #include "suspension/solver/density_history.hpp"
 #include "suspension/solver/solver.hpp"
 
@@ -86,6 +88,44 @@ Measure shares(std::size_t kept, Reversal reversal = Reversal::none) {
   };
 }
 
+/// Returns the configuration of a stage, which deviates from the motion.
+Configuration near_path(double t, double deviation) {
+  Configuration stage = at(t);
+  stage[0].position += deviation * Complex{1.0 - t, 0.5};
+  stage[0].orientation += 2.0 * deviation;
+  stage[1].orientation -= deviation * (1.0 + t);
+  stage[2].position -= deviation * Complex{0.3, t};
+  return stage;
+}
+
+/// Takes steps that end at t = 0.5, each with a stage that deviates by dt to a power. Returns the
+/// residual with which the solve at the end of the last step begins.
+double residual_after_stages(double dt, int steps, double power) {
+  static const SuspensionSolver solver(three_bodies());
+  static const OutputSchedule schedule(solver.scene());
+  RunStatistics statistics;
+  InstantSolver instants(solver, schedule, statistics, {});
+  double t = 0.5 - steps * dt, residual = 0.0;
+  instants.solve({t, t}, at(t));
+  for (int k = 0; k < steps; ++k) {
+    const StepTime end{t + dt, t};
+    instants.solve_stage(end, near_path(end.t, std::pow(dt, power)));
+    residual = instants.solve(end, at(end.t)).solution.gmres.history.front();
+    t = end.t;
+  }
+  return residual;
+}
+
+Measure residuals_after_stages(int steps, double power) {
+  return [=](Size) {
+    std::vector<Measurement> measurements;
+    for (const double x : {12.5, 25.0, 50.0, 100.0}) {
+      measurements.push_back({.x = x, .error = residual_after_stages(1.0 / x, steps, power)});
+    }
+    return measurements;
+  };
+}
+
 const std::string defect = "the flow reverses after the first density, and the history does not";
 
 Line residual_line(std::size_t kept, const std::string& id) {
@@ -118,6 +158,36 @@ Experiment guesses() {
                     residual_line(3, "09_34"),
                     {.key = "kept_4", .label = "4 earlier densities", .measure = residuals(4)},
                     {.key = "kept_6", .label = "6 earlier densities", .measure = residuals(6)}}};
+}
+
+Experiment guesses_after_stages() {
+  return {
+      .key = "after_stages",
+      .title = "Guesses from the density of a stage at the same time, three bodies in motion",
+      .x = "steps a unit of time, (1/h)",
+      .error = "residual where GMRES begins, relative",
+      .lines = {
+          {.key = "as_it_is",
+           .label = "density of the stage",
+           .measure = residuals_after_stages(1, 2.0),
+           .claim = Claim{.id = "09_39",
+                          .statement = "The density of a stage that deviates from the path by dt^2 "
+                                       "leaves a residual of order dt^2 at the end of the step.",
+                          .law = Algebraic{2.0},
+                          .reason = "the density is a smooth function of the configuration",
+                          .api = {"stokesbook::InstantSolver"}},
+           .control = Control{"stages deviate by dt", residuals_after_stages(1, 1.0)}},
+          {.key = "corrected",
+           .label = "less the deviations of two earlier steps",
+           .measure = residuals_after_stages(3, 2.0),
+           .claim = Claim{.id = "09_40",
+                          .statement = "Without the deviation that two earlier steps have shown, "
+                                       "the density of a stage leaves a residual of order dt^4.",
+                          .law = Algebraic{4.0},
+                          .reason = "the deviation over dt^2 is a smooth function of time, and is "
+                                    "extrapolated by a straight line",
+                          .api = {"stokesbook::InstantSolver"}},
+           .control = Control{"stages deviate by dt", residuals_after_stages(3, 1.0)}}}};
 }
 
 Experiment saved_iterations() {

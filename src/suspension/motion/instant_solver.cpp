@@ -13,9 +13,9 @@ namespace stokesbook {
 
 namespace {
 
-// A cubic in time: polynomials through more densities amplify the residuals of GMRES, and the
-// stages of a step are not that smooth.
-constexpr std::size_t densities_kept = 4;
+// A quadratic in time: polynomials through more densities amplify the residuals that GMRES leaves,
+// and these residuals are the ones that take most iterations.
+constexpr std::size_t densities_kept = 3;
 
 // An estimate takes about as long as a solve.
 constexpr int solves_per_estimate = 8;
@@ -45,21 +45,37 @@ TimedSolution InstantSolver::solve(const StepTime& time, const Configuration& co
   const bool due = memory_.densities.empty() ||
                    memory_.solves_since_estimate >= solves_per_estimate ||
                    schedule_.is_written(time.t);
-  return solve(time, configuration, due);
+  const bool is_lagged = solver_.scene().solver.coupling == Coupling::local;
+  const double dt = memory_.densities.ends_at(time.t) && !is_lagged ? memory_.stage_dt : 0.0;
+  TimedSolution end =
+      solve(time, configuration, density_guess(time.t, configuration, -dt * dt), due);
+  memory_.stage_dt = 0.0;
+  if (dt > 0.0) {
+    const Discretisation& discretisation = end.solution.discretisation;
+    const ComplexVector of_stage =
+        end.before.densities.guess(time.t, configuration, discretisation);
+    memory_.stage_deviations.add(time.t, configuration, discretisation,
+                                 (of_stage - end.solution.density) / (dt * dt));
+  }
+  return end;
 }
 
 TimedSolution InstantSolver::solve_stage(const StepTime& time, const Configuration& configuration) {
-  return solve(time, configuration, false);
+  const double dt = time.t - time.begin;
+  TimedSolution stage =
+      solve(time, configuration, density_guess(time.t, configuration, dt * dt), false);
+  memory_.stage_dt = dt;
+  return stage;
 }
 
 TimedSolution InstantSolver::solve(const StepTime& time, const Configuration& configuration,
-                                   bool estimated) {
+                                   const DensityGuess& guess, bool estimated) {
   const auto start = std::chrono::steady_clock::now();
   const double t = time.t;
   const Instant instant = this->instant(time, configuration);
   SolveMemory before = memory_;
   Solution solution =
-      with_time_in_errors(t, [&] { return solve_from_guess(t, instant, estimated); });
+      with_time_in_errors(t, [&] { return solve_from_guess(instant, guess, estimated); });
   if (!estimated) solution.error_estimate = memory_.error_estimate;
   memory_.densities.add(t, configuration, solution.discretisation, solution.density);
   if (!solver_.scene().contact) solution.system.reset();  // only contact solves it again
@@ -85,9 +101,9 @@ Instant InstantSolver::instant(const StepTime& time, const Configuration& config
   return instant;
 }
 
-Solution InstantSolver::solve_from_guess(double t, const Instant& instant, bool estimated) const {
+Solution InstantSolver::solve_from_guess(const Instant& instant, const DensityGuess& guess,
+                                         bool estimated) const {
   const DensityHistory& densities = memory_.densities;
-  const DensityGuess guess = density_guess(t, instant.configuration);
   if (solver_.scene().solver.coupling == Coupling::local && !densities.empty()) {
     Solution solution = solver_.solve_lagged(instant, guess);
     throw_if(divergence_error(solution));
@@ -109,9 +125,15 @@ Solution InstantSolver::solve_again(double t, const Solution& flow) {
   return solution;
 }
 
-DensityGuess InstantSolver::density_guess(double t, const Configuration& configuration) const {
-  return [this, t, configuration](const Discretisation& discretisation) -> ComplexVector {
-    return memory_.densities.guess(t, configuration, discretisation);
+// Extrapolates the densities, and adds the deviations of stages times a factor.
+DensityGuess InstantSolver::density_guess(double t, const Configuration& configuration,
+                                          double deviations) const {
+  return [=, this](const Discretisation& discretisation) -> ComplexVector {
+    ComplexVector guess = memory_.densities.guess(t, configuration, discretisation);
+    if (deviations != 0.0 && !memory_.stage_deviations.empty()) {
+      guess += deviations * memory_.stage_deviations.guess(t, configuration, discretisation);
+    }
+    return guess;
   };
 }
 

@@ -95,6 +95,8 @@ StepMemory find_steps(const History& history) {
 
 void add_solves(History& history, const SolveMemory& solves) {
   add_vectors(history, "density", solves.densities.packed());
+  add_vectors(history, "stage_deviation", solves.stage_deviations.packed());
+  history["stage_dt"] = one(solves.stage_dt);
   if (!solves.motions.empty()) {
     Configuration rate;
     for (const auto& [velocity, omega] : solves.motions) rate.push_back({velocity, omega});
@@ -116,6 +118,8 @@ void add_solves(History& history, const SolveMemory& solves) {
 
 SolveMemory find_solves(const History& history, SolveMemory solves, std::size_t components) {
   solves.densities.unpack(find_vectors(history, "density"), components);
+  solves.stage_deviations.unpack(find_vectors(history, "stage_deviation"), components);
+  solves.stage_dt = history.at("stage_dt")[0];
   if (const auto motions = history.find("motions"); motions != history.end()) {
     for (const auto& [velocity, omega] : to_configuration(motions->second)) {
       solves.motions.push_back({velocity, omega});

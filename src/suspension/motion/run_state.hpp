@@ -15,6 +15,8 @@ namespace stokesbook {
 /// The results of earlier solves with which a solve begins.
 struct SolveMemory {
   DensityHistory densities;            ///< from which GMRES begins
+  DensityHistory stage_deviations{2};  ///< see InstantSolver::solve_stage()
+  double stage_dt = 0.0;  ///< length of the step whose stage was the latest solve; 0: it was none
   std::vector<RigidMotion> motions{};  ///< of the latest solve, where a LoadFunction takes them
   MobilityColumns columns{};           ///< columns of the contact mobility in the stage before
   std::array<Eigen::VectorXd, 2>

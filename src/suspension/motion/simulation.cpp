@@ -122,13 +122,15 @@ TimedSolution Simulation::accept(TakenStep taken) {
 // sign, bodies retrace their paths.
 void Simulation::restart() {
   state_.steps.previous.reset();
-  DensityHistory& densities = instants_.memory().densities;
-  if (schedule_.is_reversal(time())) {
-    densities.reverse(time());
-  } else {
-    densities.clear();
+  SolveMemory& memory = instants_.memory();
+  for (DensityHistory* history : {&memory.densities, &memory.stage_deviations}) {
+    if (schedule_.is_reversal(time())) {
+      history->reverse(time());
+    } else {
+      history->clear();
+    }
   }
-  instants_.memory().contact_velocities = {};
+  memory.contact_velocities = {};
 }
 
 // Doubles or halves the steps of a fixed method by the iterations that a step took.

@@ -43,6 +43,12 @@ MatrixXcd moved(const MatrixXcd& densities, const Resolution& from, const Discre
 
 }  // namespace
 
+double DensityHistory::rounding_at(double t) const {
+  double span = 0.0;
+  for (const Entry& entry : entries_) span = std::max(span, std::abs(entry.t - t));
+  return same_time * span;
+}
+
 void DensityHistory::add(double t, const Configuration& configuration,
                          const Discretisation& discretisation, MatrixXcd densities) {
   // The density of each component is stored in the frame of the component.
@@ -52,10 +58,9 @@ void DensityHistory::add(double t, const Configuration& configuration,
     densities.middleRows(first, n) *= std::polar(1.0, -configuration[k].orientation);
     first += n;
   }
-  double span = 0.0;
-  for (const Entry& earlier : entries_) span = std::max(span, std::abs(earlier.t - t));
+  const double rounding = rounding_at(t);
   std::erase_if(entries_,
-                [=](const Entry& earlier) { return std::abs(earlier.t - t) <= same_time * span; });
+                [=](const Entry& earlier) { return std::abs(earlier.t - t) <= rounding; });
   if (entries_.size() == most_) entries_.pop_front();
   entries_.push_back({t, resolutions_of(discretisation), std::move(densities)});
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <vector>
@@ -26,6 +27,11 @@ class DensityHistory {
   /// Returns the resolutions of the latest density; none if the history is empty.
   Resolutions latest_resolutions() const {
     return entries_.empty() ? Resolutions{} : entries_.back().resolutions;
+  }
+
+  /// Returns whether the latest density belongs to a time, up to rounding.
+  bool ends_at(double t) const {
+    return !entries_.empty() && std::abs(entries_.back().t - t) <= rounding_at(t);
   }
 
   /// Adds a density. The new density replaces the density of the same time; if there is none, and
@@ -62,6 +68,9 @@ class DensityHistory {
     Resolutions resolutions;
     Eigen::MatrixXcd densities;  // each component's in its own frame
   };
+
+  // Returns the distance from a time within which times count as that time.
+  double rounding_at(double t) const;
 
   std::size_t most_;
   std::deque<Entry> entries_;
