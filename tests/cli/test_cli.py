@@ -588,12 +588,19 @@ class Records(Program):
         mean = numpy.sum(numpy.diff(rheology["t"][2:]) * (stress[1:] + stress[:-1]) / 2.0) / 0.8
         self.assertAlmostEqual(float(means["s12"].split(",")[0]), mean, 12)
         profile = numpy.genfromtxt(self.folder / "b" / "profile.csv", names=True, delimiter=",")
+        self.assertEqual(len(profile), 8)
         area = numpy.sum(profile["area_fraction"]) * 4.0
         self.assertAlmostEqual(area / (numpy.pi * 1.6), 1.0, 2)
         # The stresslets of the profile are sums over nodes.csv, those of rheology.csv the solver's.
         for stress, stresslet in ("normal", "s11"), ("shear", "s12"):
             total = numpy.sum(profile[f"particle_{stress}_stress"]) * 4.0
             self.assertAlmostEqual(total / float(means[stresslet].split(",")[0]), 1.0, 2)
+        # The number of bins that --help names.
+        result = stokes("measure", "a", "--out", "c", cwd=self.folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        default = numpy.genfromtxt(self.folder / "c" / "profile.csv", names=True, delimiter=",")
+        self.assertEqual(len(default), 40)
+        self.assertIn("[40]", stokes("measure", "--help").stdout)
         for name in ("pair_correlation_g", "neighbours_bodies", "orientations_density",
                      "profile_ux", "profile_particle_shear_stress"):
             xml.etree.ElementTree.parse(self.folder / "b" / f"{name}.svg")

@@ -202,6 +202,24 @@ BOOST_AUTO_TEST_CASE(steps_without_contact_report_none) {
   }
 }
 
+// The error of an Euler step, estimated from the velocities at its ends, is its distance from the
+// path, in radii.
+BOOST_AUTO_TEST_CASE(the_error_of_an_euler_step_is_estimated) {
+  const Scene scene = in_contact(ShearFlow{1.0},
+                                 {body_at(Circle{0.5}, {-1.2, 0.5}, automatic_nodes),
+                                  body_at(Circle{0.5}, {0.0, -0.5}, automatic_nodes)},
+                                 0.05);
+  const auto position = [](const RecordedRun& run) { return run.frames.back().bodies[0].position; };
+  const Complex reference = position(recorded_run(over(scene, 0.1, 0.01, heun)));
+  const RecordedRun run = recorded_run(over(scene, 0.1, 0.1, euler));
+  BOOST_REQUIRE(run.steps.size() == 1U);
+  const Complex difference = position(run) - reference;
+  const double error = std::max(std::abs(difference.real()), std::abs(difference.imag())) / 0.5;
+  BOOST_TEST(run.steps[0].contacts == 0);
+  BOOST_TEST(error > 1e-4);
+  BOOST_TEST(run.steps[0].step_error == error, boost::test_tools::tolerance(0.2));
+}
+
 // Disks that are driven along slightly offset lines slide past each other.
 BOOST_AUTO_TEST_CASE(control_cuts_steps_that_forces_do_not_follow) {
   const auto end = [](const Scene& scene) { return recorded_run(scene).frames.back().bodies; };
