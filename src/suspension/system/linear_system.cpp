@@ -3,6 +3,7 @@
 // 12).
 #include "suspension/system/linear_system.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -99,9 +100,12 @@ ComplexVector SuspensionOperator::operator()(const ComplexVector& density) const
 ComplexVector SuspensionOperator::right_hand_side() const {
   const auto* fast = std::get_if<FastSum>(&sum_);
   if (fast == nullptr) return closure_.right_hand_side();
+  const std::vector<Load> loads = closure_.given_loads();
+  const bool unloaded = std::ranges::all_of(
+      loads, [](const Load& load) { return load.force == Complex{} && load.torque == 0.0; });
+  if (unloaded) return closure_.boundary_data();
   // g_k - u_inf - sum_p (S_p F_p + R_p L_p) as in (03.10).
-  return closure_.boundary_data() -
-         fast->velocity(ComplexVector::Zero(offsets_.back()), closure_.given_loads());
+  return closure_.boundary_data() - fast->velocity(ComplexVector::Zero(offsets_.back()), loads);
 }
 
 ComplexVector SuspensionOperator::plain_velocity(const ComplexVector& density,
