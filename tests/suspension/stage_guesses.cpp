@@ -23,7 +23,7 @@ Scene sheared_ellipses() {
   return scene;
 }
 
-// Returns the configuration of a smooth motion, and how fast it bends.
+// Returns the configuration of a smooth motion.
 Configuration path(double t) {
   return {{{-2.0 + 0.3 * t, 0.5 - 0.2 * t * t}, 0.7 * t},
           {{1.5 * std::cos(0.4 * t), std::sin(0.3 * t) - 0.4}, 0.5 - t + 0.2 * t * t}};

@@ -181,7 +181,7 @@ Experiment guesses_after_stages() {
            .label = "less the deviations of two earlier steps",
            .measure = residuals_after_stages(3, 2.0),
            .claim = Claim{.id = "09_40",
-                          .statement = "Without the deviation that two earlier steps have shown, "
+                          .statement = "Minus the deviation extrapolated from two earlier steps, "
                                        "the density of a stage leaves a residual of order dt^4.",
                           .law = Algebraic{4.0},
                           .reason = "the deviation over dt^2 is a smooth function of time, and is "

@@ -62,12 +62,12 @@ InnerGaps count_inner_gaps(const std::vector<Gap>& gaps, const Discretisation& d
 
 bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
                  const Discretisation& discretisation, double separation) {
-  constexpr Index most_nodes = 1000, most_nodes_a_contact = 400;
   // A tree of groups of free bodies takes less time for more nodes than this. Where there is one,
   // only tighter gaps, over the smaller radius of gyration, slow GMRES down so much that a
   // factorisation pays.
   const bool has_tree = plan.tree_allowed && std::ranges::none_of(discretisation, is_prescribed);
-  const Index most_nodes_at_gaps = has_tree ? 400 : most_nodes;
+  constexpr Index few_nodes = 400;
+  const Index most_nodes = has_tree ? few_nodes : 1000;
   const double largest_gap = has_tree ? 0.003 : 0.02;
   Index nodes = 0;
   for (const auto& discretised : discretisation) nodes += discretised->curve.size();
@@ -75,8 +75,12 @@ bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
   const auto narrow_gaps = std::ranges::count_if(gaps, [&](const Gap& gap) {
     return gap.points.gap < largest_gap * smaller_radius(gap, discretisation);
   });
-  return nodes <= most_nodes_a_contact * count_contacts(gaps, separation) ||
-         (nodes <= most_nodes_at_gaps && 3 * narrow_gaps >= std::ssize(discretisation));
+  const Index components = std::ssize(discretisation);
+  if (3 * narrow_gaps >= components) return true;
+  // Contact forces take several solves, and where most bodies touch, many.
+  constexpr Index nodes_at_contact = 256;
+  const Index contacts = count_contacts(gaps, separation);
+  return contacts > 0 && nodes <= (contacts >= components ? few_nodes : nodes_at_contact);
 }
 
 bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps, const Discretisation& discretisation,

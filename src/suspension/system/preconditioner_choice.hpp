@@ -9,8 +9,8 @@
 namespace stokesbook {
 
 /// Returns whether a factorisation of the whole system takes less time than the iterations that it
-/// saves: in small systems with many narrow gaps, or with many pairs in contact, since a solve may
-/// be required for the force of each pair (chapter 13, section "When it pays").
+/// saves: in small systems with many narrow gaps or with contact (chapter 13, section "When it
+/// pays").
 ///
 /// @param  plan        gaps must be narrower, and nodes fewer, where a tree of groups of free bodies
 ///                     is allowed
