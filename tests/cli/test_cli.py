@@ -596,7 +596,7 @@ class Records(Program):
             total = numpy.sum(profile[f"particle_{stress}_stress"]) * 4.0
             self.assertAlmostEqual(total / float(means[stresslet].split(",")[0]), 1.0, 2)
         # The number of bins that --help names.
-        result = stokes("measure", "a", "--out", "c", cwd=self.folder)
+        result = stokes("measure", "a", "--box=-4,-2,4,2", "--out", "c", cwd=self.folder)
         self.assertEqual(result.returncode, 0, result.stderr)
         default = numpy.genfromtxt(self.folder / "c" / "profile.csv", names=True, delimiter=",")
         self.assertEqual(len(default), 40)
