@@ -251,6 +251,17 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   BOOST_TEST((chosen(disk_hexagon(2, 1e-3, 1e-3)) == hierarchical));  // but tight gaps
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
   BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.05)) == none));
+  // Small systems are factorised for few pairs in contact, larger ones are not.
+  const auto nodes = [](const Scene& scene) {
+    return node_offsets(Discretised(scene).discrete.problem()).back();
+  };
+  const auto line = [](int count) {
+    return in_contact(with_gauge(loaded_line(count, 0.1), 100.0), 0.1);
+  };
+  BOOST_TEST(nodes(line(8)) == 256);
+  BOOST_TEST((chosen(line(8)) == direct));
+  BOOST_TEST(nodes(line(9)) == 288);
+  BOOST_TEST((chosen(line(9)) != direct));
   BOOST_TEST((chosen(disk_hexagon(3, 1e-1)) == none));
   BOOST_TEST((chosen(disk_hexagon(3, 1e-1, 1e-8)) == hierarchical));  // more digits
   BOOST_TEST((chosen(disk_hexagon(4, 1e-1)) == hierarchical));        // many gaps, though wide
