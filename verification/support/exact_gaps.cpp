@@ -69,9 +69,15 @@ Jet at(const PlacedShape& placed, double t) {
 }
 
 std::vector<Complex> sampled(const PlacedShape& placed, int samples) {
-  std::vector<Complex> points;
-  for (int i = 0; i < samples; ++i) points.push_back(at(placed, turn * i / samples).x);
-  return points;
+  const Complex turned = std::polar(1.0, placed.orientation);
+  const auto sample = [&](const auto& shape) {
+    std::vector<Complex> points;
+    for (int i = 0; i < samples; ++i) {
+      points.push_back(placed.position + turned * jet(shape, turn * i / samples).x);
+    }
+    return points;
+  };
+  return std::visit(sample, placed.shape);
 }
 
 double dot(Complex a, Complex b) {
@@ -137,11 +143,22 @@ bool lies_inside(const std::vector<Complex>& curve, const std::vector<Complex>& 
   return 2 * inside > static_cast<int>(asked);
 }
 
-double reach(const PlacedShape& placed) {
-  double radius = 0.0;
-  for (const Complex& x : sampled(placed, 64))
-    radius = std::max(radius, std::abs(x - placed.position));
-  return 1.01 * radius;
+// Bounds of the distance of a curve from its centre.
+double reach(const Circle& circle) {
+  return circle.radius;
+}
+double reach(const Ellipse& ellipse) {
+  return std::max(ellipse.a, ellipse.b);
+}
+double reach(const Star& star) {
+  return star.radius * (1.0 + std::abs(star.amplitude));
+}
+double reach(const Superellipse& shape) {
+  return std::hypot(shape.a, shape.b);
+}
+template <class Other>
+double reach(const Other&) {
+  throw std::invalid_argument("exact_gap: only circles, ellipses, stars and superellipses");
 }
 
 }  // namespace
@@ -153,20 +170,20 @@ double exact_gap(const PlacedShape& a, const PlacedShape& b, int samples) {
     int on_b = 0;
   };
   std::vector<Nearest> nearest(on_a.size());
-  double least2 = std::numeric_limits<double>::infinity(), longest = 0.0;
+  double least2 = std::numeric_limits<double>::infinity(), longest2 = 0.0;
   for (std::size_t i = 0; i < on_a.size(); ++i) {
     for (std::size_t j = 0; j < on_b.size(); ++j) {
       const double distance2 = std::norm(on_a[i] - on_b[j]);
       if (distance2 < nearest[i].distance2) nearest[i] = {distance2, static_cast<int>(j)};
     }
     least2 = std::min(least2, nearest[i].distance2);
-    longest = std::max({longest, std::abs(on_a[i] - on_a[(i + 1) % on_a.size()]),
-                        std::abs(on_b[i] - on_b[(i + 1) % on_b.size()])});
+    longest2 = std::max({longest2, std::norm(on_a[i] - on_a[(i + 1) % on_a.size()]),
+                         std::norm(on_b[i] - on_b[(i + 1) % on_b.size()])});
   }
   // Refines every local minimum of the sampled distances that may be near the global minimum of the
   // distance.
   double gap = std::sqrt(least2);
-  const double bound = gap + longest;
+  const double bound = gap + std::sqrt(longest2);
   for (std::size_t i = 0; i < nearest.size(); ++i) {
     const double before = nearest[(i + nearest.size() - 1) % nearest.size()].distance2,
                  after = nearest[(i + 1) % nearest.size()].distance2, own = nearest[i].distance2;
@@ -195,7 +212,9 @@ std::vector<PlacedShape> placed_shapes(const Scene& scene, const Frame& frame) {
 
 double least_exact_gap(const std::vector<PlacedShape>& shapes, double limit, int samples) {
   std::vector<double> radii;
-  for (const PlacedShape& placed : shapes) radii.push_back(reach(placed));
+  for (const PlacedShape& placed : shapes) {
+    radii.push_back(std::visit([](const auto& shape) { return reach(shape); }, placed.shape));
+  }
   double least = limit;
   for (std::size_t b = 0; b < shapes.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
