@@ -124,10 +124,10 @@ std::vector<Case> by_gap(double least_in_quick = 1e-3) {
 
 std::vector<Case> by_disks(int most = 1000) {
   std::vector<Case> cases;
-  for (const int count : {20, 40, 75, 150, 400, 1000}) {
+  for (const int count : {20, 30, 45, 75, 150, 400, 1000}) {
     if (count > most) break;
     cases.push_back({static_cast<double>(count), "random " + std::to_string(count),
-                     [=] { return test::disk_packing(count); }, count > 75});
+                     [=] { return test::disk_packing(count); }, count > 45});
   }
   return cases;
 }
@@ -144,9 +144,9 @@ std::vector<Case> by_rings() {
 // Packings of the literature at one area fraction, for various numbers of disks.
 std::vector<Case> loaded_by_disks() {
   std::vector<Case> cases;
-  for (const int count : {40, 70, 100, 200, 500, 700, 1000}) {
+  for (const int count : {20, 40, 50, 100, 200, 500, 700, 1000}) {
     cases.push_back({static_cast<double>(count), "loaded " + std::to_string(count),
-                     [=] { return test::loaded_packing(count, 0.65); }, count > 100, 1e-7});
+                     [=] { return test::loaded_packing(count, 0.65); }, count > 50, 1e-7});
   }
   return cases;
 }
@@ -175,17 +175,17 @@ std::vector<Measurement> most_of_ten_packings(Size size) {
 
 std::vector<Case> in_containers() {
   std::vector<Case> cases;
-  for (const int count : {20, 40, 80, 160, 320}) {
+  for (const int count : {10, 20, 40, 80, 160, 320}) {
     cases.push_back({static_cast<double>(count), "container " + std::to_string(count),
                      [=] { return test::settling_in_container(1.0, count, 0.55, 0.005); },
-                     count > 80, 1e-7});
+                     count > 40, 1e-7});
   }
   return cases;
 }
 
-std::vector<Case> in_lines(double gap, int most = 400, int most_in_quick = 100) {
+std::vector<Case> in_lines(double gap, int most = 400, int most_in_quick = 50) {
   std::vector<Case> cases;
-  for (const int count : {20, 50, 100, 200, 400}) {
+  for (const int count : {10, 20, 50, 100, 200, 400}) {
     if (count > most) break;
     cases.push_back({static_cast<double>(count),
                      "line " + std::to_string(count) + " " + std::to_string(gap),
@@ -361,7 +361,7 @@ Experiment loaded_packings() {
                      .measure = counts(loaded_by_disks(), Kind::hierarchical),
                      .claim = Claim{.id = "13_11",
                                     .statement = "In a tree of groups, random packings of up to "
-                                                 "1000 disks (100 in a quick study) at the area "
+                                                 "1000 disks (50 in a quick study) at the area "
                                                  "fraction 0.65, with gaps of 0.001 and more, take "
                                                  "40 iterations at most.",
                                     .law = AtMost{40.0},
@@ -476,7 +476,7 @@ Experiment lines_of_disks() {
                .measure = counts(in_lines(0.01), Kind::hierarchical),
                .claim = Claim{.id = "13_14",
                               .statement = "In a tree of groups, lines of up to 400 disks "
-                                           "(100 in a quick study) with gaps of 0.01 take 50 "
+                                           "(50 in a quick study) with gaps of 0.01 take 50 "
                                            "iterations at most.",
                               .law = AtMost{50.0},
                               .reason = "groups of a line meet only at their ends",
@@ -484,7 +484,7 @@ Experiment lines_of_disks() {
                .control = Control{"block-diagonal", counts(in_lines(0.01), Kind::block_diagonal)}},
               {.key = "tight",
                .label = "tree of groups, gap 0.001",
-               .measure = counts(in_lines(0.001, 200, 50), Kind::hierarchical)},
+               .measure = counts(in_lines(0.001, 200), Kind::hierarchical)},
               {.key = "blocks",
                .label = "block-diagonal, gap 0.01",
                .measure = counts(in_lines(0.01), Kind::block_diagonal)}}};

@@ -347,45 +347,46 @@ Experiment eccentric() {
 }
 
 Experiment dissipation_of_gaps() {
-  return {
-      .key = "dissipation",
-      .title = "The dissipation between eccentric cylinders, three ways and in closed form",
-      .x = "relative gap ε",
-      .error = "difference from motions times loads, relative",
-      .axes = Axes::log_log,
-      .lines = {
-          {.key = "boundary",
-           .label = "velocity times traction on the boundary",
-           .measure = power_differences(by_boundary(boundary_traction)),
-           .claim = Claim{.id = "07_19",
-                          .statement = "The power of velocities and tractions is that of motions "
-                                       "and loads.",
-                          .law = Identity{1e-12},
-                          .reason = "the motions are rigid, and tractions integrate to loads",
-                          .api = {"stokesbook::boundary_power", "stokesbook::power_of_loads"}},
-           .control = Control{"the pseudo-traction -p n + mu du/dn",
-                              power_differences(by_boundary(pseudo_traction))}},
-          {.key = "volume",
-           .label = "2μ e:e over the fluid",
-           .measure = power_differences(by_volume),
-           .claim =
-               Claim{.id = "07_20",
-                     .statement = "The dissipation in the fluid is the power of its boundary.",
-                     .law = Identity{1e-9},
-                     .reason = "div (sigma u) = 2 mu e:e; the quadrature over the fluid errs "
-                               "by 1e-11",
-                     .api = {"stokesbook::volume_dissipation", "stokesbook::fluid_quadrature"}},
-           .control = Control{"mu grad u : grad u in the place of 2 mu e:e",
-                              power_differences(by_squares_of_gradients)}},
-          {.key = "closed",
-           .label = "the closed form of the loads",
-           .measure = closed_form_differences(160),
-           .claim = Claim{.id = "07_21",
-                          .statement = "The power of motions and loads is that of the closed form.",
-                          .law = Identity{1e-11},
-                          .reason = "160 nodes a circle resolve these gaps to rounding",
-                          .api = {"stokesbook::power_of_loads"}},
-           .control = Control{"12 nodes a circle", closed_form_differences(12)}}}};
+  return left_to_full(
+      {.key = "dissipation",
+       .title = "The dissipation between eccentric cylinders, three ways and in closed form",
+       .x = "relative gap ε",
+       .error = "difference from motions times loads, relative",
+       .axes = Axes::log_log,
+       .lines = {
+           {.key = "boundary",
+            .label = "velocity times traction on the boundary",
+            .measure = power_differences(by_boundary(boundary_traction)),
+            .claim = Claim{.id = "07_19",
+                           .statement = "The power of velocities and tractions is that of motions "
+                                        "and loads.",
+                           .law = Identity{1e-12},
+                           .reason = "the motions are rigid, and tractions integrate to loads",
+                           .api = {"stokesbook::boundary_power", "stokesbook::power_of_loads"}},
+            .control = Control{"the pseudo-traction -p n + mu du/dn",
+                               power_differences(by_boundary(pseudo_traction))}},
+           {.key = "volume",
+            .label = "2μ e:e over the fluid",
+            .measure = power_differences(by_volume),
+            .claim =
+                Claim{.id = "07_20",
+                      .statement = "The dissipation in the fluid is the power of its boundary.",
+                      .law = Identity{1e-9},
+                      .reason = "div (sigma u) = 2 mu e:e; the quadrature over the fluid errs "
+                                "by 1e-11",
+                      .api = {"stokesbook::volume_dissipation", "stokesbook::fluid_quadrature"}},
+            .control = Control{"mu grad u : grad u in the place of 2 mu e:e",
+                               power_differences(by_squares_of_gradients)}},
+           {.key = "closed",
+            .label = "the closed form of the loads",
+            .measure = closed_form_differences(160),
+            .claim =
+                Claim{.id = "07_21",
+                      .statement = "The power of motions and loads is that of the closed form.",
+                      .law = Identity{1e-11},
+                      .reason = "160 nodes a circle resolve these gaps to rounding",
+                      .api = {"stokesbook::power_of_loads"}},
+            .control = Control{"12 nodes a circle", closed_form_differences(12)}}}});
 }
 
 Experiment quadrature() {

@@ -148,32 +148,33 @@ Line shown(const std::string& key, const std::string& label,
 }  // namespace
 
 Experiment cost_of_contact() {
-  return {
-      .key = "cost_of_contact",
-      .title = "A step of a hexagon of disks in shear, with and without contact",
-      .x = "pairs in contact, p",
-      .error = "number",
-      .axes = Axes::no_law,
-      .lines = {
-          {.key = "solves",
-           .label = "solves for contact, for each pair in contact",
-           .measure = over_rings(solves_for_a_pair),
-           .claim = Claim{.id = "12_17",
-                          .statement =
-                              "Contacts that last need a few solves a step, not one for each pair.",
-                          .law = AtMost{0.2},
-                          .reason = "the responses of the step before are used again, and their "
-                                    "sum is corrected; only new pairs need solves of their own",
-                          .api = {"stokesbook::ContactMobility"}},
-           .control = Control{"without the columns of the step before",
-                              over_rings(solves_without_columns)}},
-          shown("with", "GMRES iterations with contact", with_contact),
-          shown("without", "GMRES iterations without", without_contact),
-          shown("iterations", "contact iterations", contact_iterations),
-          shown("seconds_with", "seconds with contact", seconds_with),
-          shown("seconds_without", "seconds without contact", seconds_without),
-          shown("first_seconds", "seconds of the first step, with contact", first_seconds),
-          shown("share_of_time", "part of the time that contact takes", share_of_time)}};
+  return left_to_full(
+      {.key = "cost_of_contact",
+       .title = "A step of a hexagon of disks in shear, with and without contact",
+       .x = "pairs in contact, p",
+       .error = "number",
+       .axes = Axes::no_law,
+       .lines = {
+           {.key = "solves",
+            .label = "solves for contact, for each pair in contact",
+            .measure = over_rings(solves_for_a_pair),
+            .claim =
+                Claim{.id = "12_17",
+                      .statement =
+                          "Contacts that last need a few solves a step, not one for each pair.",
+                      .law = AtMost{0.2},
+                      .reason = "the responses of the step before are used again, and their "
+                                "sum is corrected; only new pairs need solves of their own",
+                      .api = {"stokesbook::ContactMobility"}},
+            .control = Control{"without the columns of the step before",
+                               over_rings(solves_without_columns)}},
+           shown("with", "GMRES iterations with contact", with_contact),
+           shown("without", "GMRES iterations without", without_contact),
+           shown("iterations", "contact iterations", contact_iterations),
+           shown("seconds_with", "seconds with contact", seconds_with),
+           shown("seconds_without", "seconds without contact", seconds_without),
+           shown("first_seconds", "seconds of the first step, with contact", first_seconds),
+           shown("share_of_time", "part of the time that contact takes", share_of_time)}});
 }
 
 }  // namespace stokesbook::verification::suspension

@@ -249,83 +249,83 @@ Line counted(const std::string& key, const std::string& label, double (*quantity
 }  // namespace
 
 Experiment random_crowds() {
-  return {
-      .key = "crowds",
-      .title =
-          "Random dense crowds, steps up to twenty times too long: in a rotating container (1 "
-          "to 3), shear (4 to 6), extension (7 to 9), vortices (10 to 12), settling (13 to "
-          "15); of each circles, ellipses to 10:1, stars",
-      .x = "family f",
-      .error = "number, or part of the separation",
-      .axes = Axes::nominal,
-      .lines = {
-          {.key = "lost",
-           .label = "shortfall of the narrowest gap, relative to the separation",
-           .measure = over_families(lost),
-           .claim = Claim{.id = "12_18",
-                          .statement = "In every written state of a random crowd all gaps are at "
-                                       "least the separation, less a thousandth of it.",
-                          .law = AtMost{1e-3},
-                          .reason = "steps are accepted by the closest points of the curves; "
-                                    "measured by formulas that share no code with them",
-                          .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"contact left out", over_families(lost, Contact::left_out)}},
-          {.key = "unbalanced",
-           .label = "net force or torque of contact, with the walls' reactions, over the largest",
-           .measure = over_families([](const Tally& tally) { return tally.unbalanced; }),
-           .claim = Claim{.id = "12_19",
-                          .statement = "The forces of contact balance, including those on walls, "
-                                       "and so do their torques.",
-                          .law = Identity{1e-12},
-                          .reason = "they act on both bodies at one point along one line",
-                          .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"forces that act on one of both bodies only",
-                              over_families([](const Tally& tally) {
-                                return tally.unbalanced_without_reaction;
-                              })}},
-          {.key = "stopped",
-           .label = "scenes that stopped",
-           .measure = over_families(stopped),
-           .claim = Claim{.id = "12_20",
-                          .statement = "Every run of a random crowd reaches its end.",
-                          .law = Identity{0.0},
-                          .reason = "a step that contact does not resolve is halved, and short "
-                                    "steps have linear problems with a solution",
-                          .api = {"stokesbook::Simulation"}},
-           .control = Control{"contact left out", over_families(stopped, Contact::left_out)}},
-          counted("scenes", "scenes", [](const Tally& tally) { return tally.scenes; }),
-          counted("steps", "steps", [](const Tally& tally) { return tally.steps; }),
-          counted("halved", "steps halved", [](const Tally& tally) { return tally.halved; }),
-          counted("in_contact", "steps in contact",
-                  [](const Tally& tally) { return tally.in_contact; }),
-          counted("all_iterations", "contact iterations, with those of rejected attempts",
-                  [](const Tally& tally) { return tally.all_iterations; }),
-          counted("iterations", "contact iterations in a step in contact, on average",
-                  mean_iterations),
-          {.key = "flows",
-           .label = "the same for all families of a flow together, shown at its last family",
-           .measure = over_flows(mean_iterations),
-           .claim =
-               Claim{.id = "12_23",
-                     .statement = "A step in contact takes fewer than three linear problems "
-                                  "on average, in every flow.",
-                     .law = AtMost{3.0},
-                     .reason =
-                         "Newton's method for gaps that are nearly linear where the step before "
-                         "ended; both stages of Heun's method count, rejected attempts do not",
-                     .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"pairs resolved one by one", over_flows(problems_one_by_one)}},
-          {.key = "most_iterations",
-           .label = "most in a step",
-           .measure = over_families(most_iterations),
-           .claim =
-               Claim{.id = "12_24",
-                     .statement = "No step takes more than nine linear problems.",
-                     .law = AtMost{9.0},
-                     .reason = "a step that needs more is halved; the published maximum is nine",
-                     .api = {"stokesbook::SuspensionContact"}},
-           .control = Control{"pairs resolved one by one", over_families(problems_one_by_one)}},
-          counted("share", "share of the time that contact takes", share_of_time)}};
+  return left_to_full(
+      {.key = "crowds",
+       .title =
+           "Random dense crowds, steps up to twenty times too long: in a rotating container (1 "
+           "to 3), shear (4 to 6), extension (7 to 9), vortices (10 to 12), settling (13 to "
+           "15); of each circles, ellipses to 10:1, stars",
+       .x = "family f",
+       .error = "number, or part of the separation",
+       .axes = Axes::nominal,
+       .lines = {
+           {.key = "lost",
+            .label = "shortfall of the narrowest gap, relative to the separation",
+            .measure = over_families(lost),
+            .claim = Claim{.id = "12_18",
+                           .statement = "In every written state of a random crowd all gaps are at "
+                                        "least the separation, less a thousandth of it.",
+                           .law = AtMost{1e-3},
+                           .reason = "steps are accepted by the closest points of the curves; "
+                                     "measured by formulas that share no code with them",
+                           .api = {"stokesbook::SuspensionContact"}},
+            .control = Control{"contact left out", over_families(lost, Contact::left_out)}},
+           {.key = "unbalanced",
+            .label = "net force or torque of contact, with the walls' reactions, over the largest",
+            .measure = over_families([](const Tally& tally) { return tally.unbalanced; }),
+            .claim = Claim{.id = "12_19",
+                           .statement = "The forces of contact balance, including those on walls, "
+                                        "and so do their torques.",
+                           .law = Identity{1e-12},
+                           .reason = "they act on both bodies at one point along one line",
+                           .api = {"stokesbook::SuspensionContact"}},
+            .control = Control{"forces that act on one of both bodies only",
+                               over_families([](const Tally& tally) {
+                                 return tally.unbalanced_without_reaction;
+                               })}},
+           {.key = "stopped",
+            .label = "scenes that stopped",
+            .measure = over_families(stopped),
+            .claim = Claim{.id = "12_20",
+                           .statement = "Every run of a random crowd reaches its end.",
+                           .law = Identity{0.0},
+                           .reason = "a step that contact does not resolve is halved, and short "
+                                     "steps have linear problems with a solution",
+                           .api = {"stokesbook::Simulation"}},
+            .control = Control{"contact left out", over_families(stopped, Contact::left_out)}},
+           counted("scenes", "scenes", [](const Tally& tally) { return tally.scenes; }),
+           counted("steps", "steps", [](const Tally& tally) { return tally.steps; }),
+           counted("halved", "steps halved", [](const Tally& tally) { return tally.halved; }),
+           counted("in_contact", "steps in contact",
+                   [](const Tally& tally) { return tally.in_contact; }),
+           counted("all_iterations", "contact iterations, with those of rejected attempts",
+                   [](const Tally& tally) { return tally.all_iterations; }),
+           counted("iterations", "contact iterations in a step in contact, on average",
+                   mean_iterations),
+           {.key = "flows",
+            .label = "the same for all families of a flow together, shown at its last family",
+            .measure = over_flows(mean_iterations),
+            .claim =
+                Claim{.id = "12_23",
+                      .statement = "A step in contact takes fewer than three linear problems "
+                                   "on average, in every flow.",
+                      .law = AtMost{3.0},
+                      .reason =
+                          "Newton's method for gaps that are nearly linear where the step before "
+                          "ended; both stages of Heun's method count, rejected attempts do not",
+                      .api = {"stokesbook::SuspensionContact"}},
+            .control = Control{"pairs resolved one by one", over_flows(problems_one_by_one)}},
+           {.key = "most_iterations",
+            .label = "most in a step",
+            .measure = over_families(most_iterations),
+            .claim =
+                Claim{.id = "12_24",
+                      .statement = "No step takes more than nine linear problems.",
+                      .law = AtMost{9.0},
+                      .reason = "a step that needs more is halved; the published maximum is nine",
+                      .api = {"stokesbook::SuspensionContact"}},
+            .control = Control{"pairs resolved one by one", over_families(problems_one_by_one)}},
+           counted("share", "share of the time that contact takes", share_of_time)}});
 }
 
 }  // namespace stokesbook::verification::suspension

@@ -112,23 +112,24 @@ Experiment lagged_steps() {
 }
 
 Experiment lagged_growth() {
-  return {
-      .key = "lagged_growth",
-      .title = "By what a step of the lagged coupling multiplies the residual",
-      .x = "step h",
-      .error = "growth over the spectral radius of a sweep, less 1",
-      .lines = {{.key = "growth",
-                 .label = "48 ellipses in vortices",
-                 .measure = growth(Coupling::local),
-                 .claim = Claim{.id = "12_52",
-                                .statement = "In a crowd the lagged coupling multiplies its error "
-                                             "by the spectral radius of block Jacobi in each step, "
-                                             "however short.",
-                                .law = AtMost{0.1},
-                                .reason = "a step is a sweep; in the few of them that it takes, "
-                                          "bodies hardly move",
-                                .api = {"stokesbook::SuspensionSolver::solve_lagged"}},
-                 .control = Control{"steps of the coupled scheme", growth(Coupling::global)}}}};
+  return left_to_full(
+      {.key = "lagged_growth",
+       .title = "By what a step of the lagged coupling multiplies the residual",
+       .x = "step h",
+       .error = "growth over the spectral radius of a sweep, less 1",
+       .lines = {
+           {.key = "growth",
+            .label = "48 ellipses in vortices",
+            .measure = growth(Coupling::local),
+            .claim = Claim{.id = "12_52",
+                           .statement = "In a crowd the lagged coupling multiplies its error "
+                                        "by the spectral radius of block Jacobi in each step, "
+                                        "however short.",
+                           .law = AtMost{0.1},
+                           .reason = "a step is a sweep; in the few of them that it takes, "
+                                     "bodies hardly move",
+                           .api = {"stokesbook::SuspensionSolver::solve_lagged"}},
+            .control = Control{"steps of the coupled scheme", growth(Coupling::global)}}}});
 }
 
 }  // namespace stokesbook::verification::suspension

@@ -124,19 +124,19 @@ Experiment orders_of_circles() {
 Experiment orders_of_passing() {
   Motion motion = passing();
   motion.known_at = {12.0};  // equal steps need not end at the other times
-  return {
-      .key = "passing",
-      .title = "Orders: two circles that pass each other in shear, by full solves",
-      .x = "steps M",
-      .error = "error of position, in radii, and angle at t = 12",
-      .lines = {order_line(motion, scheme(SteppingMethod::dormand_prince54, 80), "09_14", 1e-11),
-                {.key = "heun",
-                 .label = "Heun",
-                 .measure = errors(motion, scheme(SteppingMethod::heun, 120), same_rates)},
-                {.key = "rk4",
-                 .label = "Runge-Kutta 4",
-                 .measure = errors(motion, scheme(SteppingMethod::rk4, 60), same_rates)}},
-      .operation = "solves"};
+  return left_to_full(
+      {.key = "passing",
+       .title = "Orders: two circles that pass each other in shear, by full solves",
+       .x = "steps M",
+       .error = "error of position, in radii, and angle at t = 12",
+       .lines = {order_line(motion, scheme(SteppingMethod::dormand_prince54, 80), "09_14", 1e-11),
+                 {.key = "heun",
+                  .label = "Heun",
+                  .measure = errors(motion, scheme(SteppingMethod::heun, 120), same_rates)},
+                 {.key = "rk4",
+                  .label = "Runge-Kutta 4",
+                  .measure = errors(motion, scheme(SteppingMethod::rk4, 60), same_rates)}},
+       .operation = "solves"});
 }
 
 }  // namespace stokesbook::verification::time_stepping

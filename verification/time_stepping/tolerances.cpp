@@ -84,14 +84,15 @@ Experiment tolerances() {
 // The errors are measured at t = 0.5, 1, ..., 12; for the pair 8(7) they are measured at 12.
 Experiment tolerances_of_passing() {
   const std::vector<Motion> pair{passing()};
-  return {.key = "tolerance_passing",
-          .title = "Error by the tolerance: two circles that pass each other",
-          .x = "tolerance",
-          .error = "largest error of position, in radii, and angle",
-          .lines = {tolerance_line(pair, SteppingMethod::dormand_prince54, "09_20", in_proportion),
-                    tolerance_line(pair, SteppingMethod::prince_dormand87, "09_21", lower_order)},
-          .work_precision = true,
-          .operation = "solves"};
+  return left_to_full(
+      {.key = "tolerance_passing",
+       .title = "Error by the tolerance: two circles that pass each other",
+       .x = "tolerance",
+       .error = "largest error of position, in radii, and angle",
+       .lines = {tolerance_line(pair, SteppingMethod::dormand_prince54, "09_20", in_proportion),
+                 tolerance_line(pair, SteppingMethod::prince_dormand87, "09_21", lower_order)},
+       .work_precision = true,
+       .operation = "solves"});
 }
 
 }  // namespace stokesbook::verification::time_stepping
