@@ -217,4 +217,29 @@ BOOST_AUTO_TEST_CASE(lasting_contact_gives_back_nodes) {
   BOOST_TEST(end.history.at("nodes_in_contact").maxCoeff() <= 64.0);
 }
 
+// The contact force cancels the loads, so that next to nothing moves: the error of the flow with
+// this force is far below that of the flow without it.
+BOOST_AUTO_TEST_CASE(errors_in_lasting_contact_are_those_of_the_flow_with_its_forces) {
+  Scene scene = over(pressed_disks(), 0.5, 0.05, SteppingMethod::heun);
+  scene.output.dt_write = 0.25;
+  const SuspensionSolver solver(scene);
+  const double without_force = solver.solve(solver.start()).error_estimate,
+               with_force = recorded_run(scene).steps.back().velocity_error;
+  BOOST_TEST(with_force > 0.0);
+  BOOST_TEST(with_force < 0.1 * without_force);
+}
+
+// Two disks touch, and a third one, with few nodes, comes near them.
+BOOST_AUTO_TEST_CASE(nodes_that_no_longer_suffice_in_lasting_contact_are_refused) {
+  Scene scene = loaded({pushed(Circle{1.0}, -1.02, 12.0), pushed(Circle{1.0}, 1.02, -3.0),
+                        pushed(Circle{1.0}, 3.35, -9.0)},
+                       0.04);
+  scene.gauge_length = 30.0;
+  scene.bodies[0].n_nodes = scene.bodies[1].n_nodes = 64;
+  scene.bodies[2].n_nodes = 24;
+  BOOST_CHECK_EXCEPTION(
+      recorded_run(over(scene, 4.0, 0.05, SteppingMethod::heun)), SolverError,
+      mentions({"the density on body 2 is not resolved", "with its 24 nodes; set n_nodes = "}));
+}
+
 }  // namespace stokesbook::test

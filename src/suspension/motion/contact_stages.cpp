@@ -24,27 +24,37 @@ constexpr int most_steps_kept = 8;
 
 StageSolution ContactStages::resolve(const ContactStage& problem, StageSolution stage) {
   SolveMemory& memory = instants_.memory();
+  const double tolerance = solver_.scene().solver.tolerance;
   auto& [flow, contact] = stage;
   while (true) {
     StageContact found = find_forces(problem, flow.solution);
     found.cost += contact.cost;
     found.seconds += contact.seconds;
     contact = std::move(found);
-    const LoadedCheck check = check_effort(stage);
-    contact.cost.matvecs += check.estimate.matvecs;
-    statistics_.totals.matvecs += check.estimate.matvecs;
+    const bool is_estimated = is_estimate_due(stage);
+    const LoadedCheck check =
+        is_estimated ? solver_.check_loaded(contact.solution, memory.gmres_tolerance)
+                     : LoadedCheck{{}, needed_resolutions(stage), memory.gmres_tolerance};
+    const auto& [error, matvecs, density] = check.estimate;
+    contact.cost.matvecs += matvecs;
+    statistics_.totals.matvecs += matvecs;
+    const bool is_only_estimate = is_estimated && flow.estimate == EstimateOf::solution_in_contact;
+    if (is_only_estimate) memory.error_estimate = flow.solution.error_estimate = error;
     contact.solution.error_estimate =
-        std::max({flow.solution.error_estimate, check.estimate.error, contact.outcome.correction});
+        std::max({flow.solution.error_estimate, error, contact.outcome.correction});
     const bool nodes_suffice = check.needed == resolutions_of(flow.solution.discretisation);
     const bool suffices = nodes_suffice && check.gmres_tolerance == memory.gmres_tolerance;
-    if (suffices || flow.refinements == most_refinements) return stage;
+    const bool is_inaccurate = is_only_estimate && suffices && !(error <= tolerance);
+    if ((suffices && !is_inaccurate) || flow.refinements == most_refinements) return stage;
     ++flow.refinements;
     memory.contact_resolutions = check.needed;
     memory.steps_kept = 0;
     memory.gmres_tolerance = check.gmres_tolerance;
-    if (nodes_suffice) continue;
+    if (nodes_suffice && !is_inaccurate) continue;
+    // No effort makes the contact forces accurate. The flow without them must be accurate.
+    if (is_inaccurate) flow.estimate = EstimateOf::solution;
     const auto begin = std::chrono::steady_clock::now();
-    Solution finer = instants_.solve_again(problem.t, flow.solution);
+    Solution finer = instants_.solve_again(problem.t, flow);
     contact.cost += std::exchange(finer.cost, flow.solution.cost);
     flow.solution = std::move(finer);
     contact.seconds += seconds_since(begin);
@@ -73,20 +83,21 @@ StageContact ContactStages::find_forces(ContactStage problem, const Solution& fl
   return found;
 }
 
-// More nodes are needed where the contact forces are not resolved, or where the error estimate of
-// the solution that includes them exceeds the tolerance.
-LoadedCheck ContactStages::check_effort(const StageSolution& stage) const {
+// The error of the solution with contact forces is estimated where that of the flow alone is, or
+// where it replaces that of the flow.
+bool ContactStages::is_estimate_due(const StageSolution& stage) {
   const auto& [flow, contact] = stage;
-  const double gmres_tolerance = instants_.memory().gmres_tolerance;
-  const Resolutions resolutions = resolutions_of(flow.solution.discretisation);
-  const auto& unresolved = contact.outcome.unresolved;
-  if (!unresolved.empty()) {
-    return {{}, refine_pairs(solver_.scene(), resolutions, unresolved), gmres_tolerance};
-  }
-  if (!contact.outcome.is_resolved() || !flow.estimated || contact.outcome.forces.empty()) {
-    return {{}, resolutions, gmres_tolerance};
-  }
-  return solver_.check_loaded(contact.solution, gmres_tolerance);
+  const ContactOutcome& outcome = contact.outcome;
+  if (!outcome.is_resolved() || !outcome.unresolved.empty()) return false;
+  return flow.estimate == EstimateOf::solution_in_contact ||
+         (flow.estimate == EstimateOf::solution && !outcome.forces.empty());
+}
+
+// More nodes are needed where they do not resolve the contact forces.
+Resolutions ContactStages::needed_resolutions(const StageSolution& stage) const {
+  const Resolutions resolutions = resolutions_of(stage.flow.solution.discretisation);
+  const auto& unresolved = stage.contact.outcome.unresolved;
+  return unresolved.empty() ? resolutions : refine_pairs(solver_.scene(), resolutions, unresolved);
 }
 
 void ContactStages::relax(bool in_contact) {

@@ -43,7 +43,8 @@ class ContactStages {
 
  private:
   StageContact find_forces(ContactStage problem, const Solution& flow);
-  LoadedCheck check_effort(const StageSolution& stage) const;
+  static bool is_estimate_due(const StageSolution& stage);
+  Resolutions needed_resolutions(const StageSolution& stage) const;
 
   const SuspensionSolver& solver_;
   const SuspensionContact& contact_;

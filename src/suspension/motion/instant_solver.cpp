@@ -46,9 +46,13 @@ TimedSolution InstantSolver::solve(const StepTime& time, const Configuration& co
                    memory_.solves_since_estimate >= solves_per_estimate ||
                    schedule_.is_written(time.t);
   const bool is_lagged = solver_.scene().solver.coupling == Coupling::local;
+  const bool in_contact = memory_.columns.loads.cols() > 0 && !is_lagged;
+  const EstimateOf estimate = !due         ? EstimateOf::earlier_solve
+                              : in_contact ? EstimateOf::solution_in_contact
+                                           : EstimateOf::solution;
   const double dt = memory_.densities.ends_at(time.t) && !is_lagged ? memory_.stage_dt : 0.0;
   TimedSolution end =
-      solve(time, configuration, density_guess(time.t, configuration, -dt * dt), due);
+      solve(time, configuration, density_guess(time.t, configuration, -dt * dt), estimate);
   memory_.stage_dt = 0.0;
   if (dt > 0.0) {
     const Discretisation& discretisation = end.solution.discretisation;
@@ -62,29 +66,30 @@ TimedSolution InstantSolver::solve(const StepTime& time, const Configuration& co
 
 TimedSolution InstantSolver::solve_stage(const StepTime& time, const Configuration& configuration) {
   const double dt = time.t - time.begin;
-  TimedSolution stage =
-      solve(time, configuration, density_guess(time.t, configuration, dt * dt), false);
+  TimedSolution stage = solve(time, configuration, density_guess(time.t, configuration, dt * dt),
+                              EstimateOf::earlier_solve);
   memory_.stage_dt = dt;
   return stage;
 }
 
 TimedSolution InstantSolver::solve(const StepTime& time, const Configuration& configuration,
-                                   const DensityGuess& guess, bool estimated) {
+                                   const DensityGuess& guess, EstimateOf estimate) {
   const auto start = std::chrono::steady_clock::now();
   const double t = time.t;
   const Instant instant = this->instant(time, configuration);
   SolveMemory before = memory_;
   Solution solution =
-      with_time_in_errors(t, [&] { return solve_from_guess(instant, guess, estimated); });
-  if (!estimated) solution.error_estimate = memory_.error_estimate;
+      with_time_in_errors(t, [&] { return solve_from_guess(instant, guess, estimate); });
+  if (estimate != EstimateOf::solution) solution.error_estimate = memory_.error_estimate;
   memory_.densities.add(t, configuration, solution.discretisation, solution.density);
   if (!solver_.scene().contact) solution.system.reset();  // only contact solves it again
   if (loads_) memory_.motions = path_motions(solution);
   memory_.error_estimate = solution.error_estimate;
-  memory_.solves_since_estimate = estimated ? 0 : memory_.solves_since_estimate + 1;
+  memory_.solves_since_estimate =
+      estimate == EstimateOf::earlier_solve ? memory_.solves_since_estimate + 1 : 0;
   statistics_.add_resolution(solution);
   statistics_.add_solve(solution);
-  return {std::move(solution), std::move(before), seconds_since(start), estimated};
+  return {std::move(solution), std::move(before), seconds_since(start), estimate};
 }
 
 Instant InstantSolver::instant(const StepTime& time, const Configuration& configuration) const {
@@ -102,25 +107,36 @@ Instant InstantSolver::instant(const StepTime& time, const Configuration& config
 }
 
 Solution InstantSolver::solve_from_guess(const Instant& instant, const DensityGuess& guess,
-                                         bool estimated) const {
+                                         EstimateOf estimate) const {
   const DensityHistory& densities = memory_.densities;
   if (solver_.scene().solver.coupling == Coupling::local && !densities.empty()) {
     Solution solution = solver_.solve_lagged(instant, guess);
     throw_if(divergence_error(solution));
     return solution;
   }
-  return estimated ? solver_.solve(instant, guess, memory_.contact_resolutions)
-                   : solver_.solve_nearby(instant, densities.latest_resolutions(), guess);
+  const Resolutions& for_contact = memory_.contact_resolutions;
+  switch (estimate) {
+    case EstimateOf::solution:
+      return solver_.solve(instant, guess, for_contact);
+    case EstimateOf::solution_in_contact:
+      return solver_.solve_nearby(instant, for_contact, guess);
+    default:
+      return solver_.solve_nearby(instant, densities.latest_resolutions(), guess);
+  }
 }
 
-Solution InstantSolver::solve_again(double t, const Solution& flow) {
-  const Configuration& configuration = flow.instant.configuration;
+Solution InstantSolver::solve_again(double t, const TimedSolution& flow) {
+  const Instant& instant = flow.solution.instant;
+  const Configuration& configuration = instant.configuration;
+  const DensityGuess guess = density_guess(t, configuration);
+  const Resolutions& for_contact = memory_.contact_resolutions;
+  const bool is_estimated = flow.estimate == EstimateOf::solution;
   Solution solution = with_time_in_errors(t, [&] {
-    return solver_.solve_nearby(flow.instant, memory_.contact_resolutions,
-                                density_guess(t, configuration));
+    return is_estimated ? solver_.solve(instant, guess, for_contact)
+                        : solver_.solve_nearby(instant, for_contact, guess);
   });
   statistics_.add_solve(solution);
-  solution.error_estimate = flow.error_estimate;
+  if (!is_estimated) solution.error_estimate = flow.solution.error_estimate;
   memory_.densities.add(t, configuration, solution.discretisation, solution.density);
   return solution;
 }

@@ -10,13 +10,20 @@
 
 namespace stokesbook {
 
+/// Which error estimate a solution has.
+enum class EstimateOf {
+  earlier_solve,       ///< not its own: the latest one
+  solution,            ///< its own
+  solution_in_contact  ///< as earlier_solve, until the solution with its contact forces has one
+};
+
 /// A solution at a time of a run.
 struct TimedSolution {
-  Solution solution;       ///< at that time
-  SolveMemory before;      ///< memory before the solve
-  double seconds = 0.0;    ///< wall time of the solve
-  bool estimated = false;  ///< whether the error estimate is its own, not that of an earlier solve
-  int refinements = 0;     ///< how often contact required more nodes or a tighter GMRES tolerance
+  Solution solution;                                ///< at that time
+  SolveMemory before;                               ///< memory before the solve
+  double seconds = 0.0;                             ///< wall time of the solve
+  EstimateOf estimate = EstimateOf::earlier_solve;  ///< its error estimate
+  int refinements = 0;  ///< how often contact required more nodes or a tighter GMRES tolerance
 };
 
 /// Computes a load on each body, about its position, in addition to those of the scene; loads on
@@ -43,7 +50,8 @@ class InstantSolver {
 
   /// Solves an instant and remembers its densities. The error is estimated at written times, in the
   /// first solve, and after eight solves without an estimate; other solutions carry the latest
-  /// estimate.
+  /// estimate. Where contact has lasted, the estimate is left to ContactStages, which estimates the
+  /// error of the solution with contact forces.
   ///
   /// @throws SolverError with the time, as SuspensionSolver::solve() does
   TimedSolution solve(const StepTime& time, const Configuration& configuration);
@@ -58,21 +66,21 @@ class InstantSolver {
   /// @par Accuracy  the guess at the end leaves a residual of order dt^4, @ref claim_09_40
   TimedSolution solve_stage(const StepTime& time, const Configuration& configuration);
 
-  /// Solves the instant of `flow`, a solution on fewer nodes, again with the node numbers that
-  /// contact requires, and remembers its densities instead. The new solution has the error estimate
-  /// of `flow`, and its own cost.
+  /// Solves the instant of `flow` again with the node numbers that contact requires, and remembers
+  /// its densities instead. The new solution has its own cost, and its own error estimate if `flow`
+  /// has, else that of `flow`.
   ///
-  /// @throws SolverError with the time, as SuspensionSolver::solve_nearby() does
-  Solution solve_again(double t, const Solution& flow);
+  /// @throws SolverError with the time, as SuspensionSolver::solve() does
+  Solution solve_again(double t, const TimedSolution& flow);
 
   /// Accesses what the next solve takes from those before; contact extends it.
   SolveMemory& memory() { return memory_; }
 
  private:
   TimedSolution solve(const StepTime& time, const Configuration& configuration,
-                      const DensityGuess& guess, bool estimated);
+                      const DensityGuess& guess, EstimateOf estimate);
   Solution solve_from_guess(const Instant& instant, const DensityGuess& guess,
-                            bool estimated) const;
+                            EstimateOf estimate) const;
   Instant instant(const StepTime& time, const Configuration& configuration) const;
   DensityGuess density_guess(double t, const Configuration& configuration,
                              double deviations = 0.0) const;
