@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 // The version number must rise with every change of the contents, including those of the history.
-const std::string magic = "stokesbook checkpoint 6\n";
+const std::string magic = "stokesbook checkpoint 7\n";
 
 std::string checksum_line(std::string_view body) {
   return "checksum " + fingerprint(body) + '\n';

@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(messages_name_file_and_reason) {
 BOOST_AUTO_TEST_CASE(unknown_contents_are_refused) {
   const Folder folder;
   const std::string body =
-      "stokesbook checkpoint 6\n{\"scene\":\"0\",\"program\":\"0\",\"t\":0.5,\"step\":-1}\n";
+      "stokesbook checkpoint 7\n{\"scene\":\"0\",\"program\":\"0\",\"t\":0.5,\"step\":-1}\n";
   write(folder.at("checkpoint"), body + "checksum " + fingerprint(body) + '\n');
   BOOST_CHECK_EXCEPTION(
       read_saved_run(folder.at("checkpoint")), RecordError, [](const RecordError& error) {

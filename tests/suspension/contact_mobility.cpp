@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <boost/test/unit_test.hpp>
 
+#include "double_layer/double_layer.hpp"
 #include "scaled_eigenvalues.hpp"
 #include "scenes.hpp"
 #include "support/touching.hpp"
@@ -108,6 +109,50 @@ BOOST_AUTO_TEST_CASE(lasting_loads_take_no_solves_of_their_own) {
   while (now.refine(weights)) now(loads);
   BOOST_TEST(error() < 1e-6);  // 1e-6 is a hundred times the residual of the solver
   BOOST_TEST(now.solves() <= 2);
+}
+
+// While bodies move smoothly, the density of lasting loads changes as it did before, in proportion
+// to time.
+BOOST_AUTO_TEST_CASE(changes_of_lasting_loads_are_foreseen) {
+  const Chain chain;
+  const VectorXd weights{{3.0, 1.0, 2.0, 0.5}};
+  Configuration moving = chain.start;
+  MobilityColumns earlier;
+  int step = 0;
+  for (const double dt : {0.0, 0.02, 0.02, 0.01}) {
+    for (std::size_t k = 0; k < moving.size(); ++k) {
+      const auto i = static_cast<double>(k);
+      moving[k].position += dt * 0.2 * std::polar(1.0, i * i);
+      moving[k].orientation += dt * 0.15 * i;
+    }
+    LoadColumns now(chain.solver, chain.solver.solve(chain.solver.instant(moving)), earlier, 1e-9,
+                    dt);
+    Eigen::SparseVector<double> load(15);
+    ComplexVector density;
+    const std::vector<std::size_t> columns = now.find(pushes(moving, 0.0));
+    for (const std::size_t i : columns) {
+      const double weight = weights[static_cast<Index>(i)];
+      load += weight * now[i].load;
+      density = density.size() == 0 ? ComplexVector(weight * now[i].density)
+                                    : ComplexVector(density + weight * now[i].density);
+    }
+    const ComplexVector expected = now.expected_change(load),
+                        change =
+                            deinterleaved(now.solve(now.rhs_under(load), 1e-10, density).solution) -
+                            density;
+    BOOST_TEST_CONTEXT("step " << step) {
+      BOOST_TEST((expected.size() > 0) == (step > 1));
+      if (step > 1) BOOST_TEST((expected - change).norm() < 0.1 * change.norm());
+    }
+    now.remember_change(load, change);
+    BOOST_TEST(now.expected_change(load).size() == 0);
+    for (const std::size_t i : columns) {
+      const double part = weights[static_cast<Index>(i)] / weights.squaredNorm();
+      now.correct(i, part * change, 0.0);
+    }
+    earlier = now.for_next_configuration();
+    ++step;
+  }
 }
 
 // Combinations that were made accurate stay so while others are. Columns that are solved for again

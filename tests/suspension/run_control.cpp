@@ -187,21 +187,22 @@ BOOST_AUTO_TEST_CASE(the_number_of_the_format_stands_for_what_a_checkpoint_holds
     for (const std::string& name : names) text += name + ' ';
     return text;
   };
-  BOOST_TEST(to_text({}).starts_with("stokesbook checkpoint 6\n"));
+  BOOST_TEST(to_text({}).starts_with("stokesbook checkpoint 7\n"));
   Scene scene = sheared_pair();
   BOOST_TEST(
       names_of(scene) ==
-      "contact_flows contact_loads contact_tolerances contact_totals contact_velocity "
-      "density error errors estimate first_nodes largest_estimate most_nodes nodes_in_contact "
+      "contact_flows contact_loads contact_time contact_tolerances contact_totals contact_velocity "
+      "density drift_load error errors estimate first_nodes largest_estimate most_nodes "
+      "nodes_in_contact "
       "previous_dt previous_rate stage_deviation stage_dt steps_in_contact written ");
   scene.contact = ContactSettings{.minimum_separation = 0.01};
   scene.time->method = SteppingMethod::heun;
   scene.time->tolerance = 1e-2;
-  BOOST_TEST(
-      names_of(scene) ==
-      "closer contact_flows contact_loads contact_tolerances contact_totals "
-      "contact_velocity density dt error errors estimate first_nodes largest_estimate most_nodes "
-      "nodes_in_contact stage_deviation stage_dt steps_in_contact written ");
+  BOOST_TEST(names_of(scene) ==
+             "closer contact_flows contact_loads contact_time contact_tolerances contact_totals "
+             "contact_velocity density drift_load dt error errors estimate first_nodes "
+             "largest_estimate most_nodes "
+             "nodes_in_contact stage_deviation stage_dt steps_in_contact written ");
 }
 
 BOOST_AUTO_TEST_CASE(a_checkpoint_that_lacks_something_is_refused) {

@@ -45,8 +45,10 @@ double largest_motion(const VectorXd& velocities, const VectorXd& scales) {
 }  // namespace
 
 ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution& solution,
-                                 MobilityColumns earlier, std::optional<double> exact)
-    : columns_(solver, solution, std::move(earlier), exact.value_or(solver.plan().gmres_tolerance)),
+                                 MobilityColumns earlier, std::optional<double> exact,
+                                 double elapsed)
+    : columns_(solver, solution, std::move(earlier), exact.value_or(solver.plan().gmres_tolerance),
+               elapsed),
       most_correction_(most_correction * solver.scene().solver.tolerance),
       flow_norm_(solution.system->system.right_hand_side().norm()) {}
 
@@ -122,17 +124,21 @@ bool ContactMobility::refine_combination(const VectorXd& multipliers) {
   const auto [load, density] = combine(multipliers);
   const ComplexVector rhs = columns_.rhs_under(load);
   const double exact = columns_.tightest() * std::max(flow_norm_, rhs.norm());
-  const GmresResult found = columns_.solve(rhs, exact / rhs.norm(), density);
+  const ComplexVector expected = columns_.expected_change(load);
+  const ComplexVector guess = expected.size() > 0 ? ComplexVector(density + expected) : density;
+  const GmresResult found = columns_.solve(rhs, exact / rhs.norm(), guess);
+  const ComplexVector missed = deinterleaved(found.solution) - density;
+  columns_.remember_change(load, missed);
   combination_weights_ = weights;
   allowed_residual_ = 0.5 * exact;
-  if (found.iterations == 0) return false;
+  if (found.iterations == 0 && expected.size() == 0) return false;
   const double residual = found.history.front() * rhs.norm(), more_than_known = residual / missing;
   const bool diverges =
       residual > std::exchange(combination_residual_, residual) && refinement_iterations_ > 0;
   refinement_iterations_ += found.iterations;
   if (diverges) tighten();
   const VectorXd direction = add_direction(weights);
-  const ComplexVector change = (deinterleaved(found.solution) - density) / direction.dot(weights);
+  const ComplexVector change = missed / direction.dot(weights);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const double part = direction[static_cast<Index>(i)];
     if (part == 0.0) continue;

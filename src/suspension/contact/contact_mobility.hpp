@@ -31,9 +31,11 @@ class ContactMobility {
   /// Takes a solution, whose system is solved for loads, and the columns of an earlier
   /// configuration; nothing is solved yet. The solver must outlive the mobility.
   ///
-  /// @param  exact  relative residual of combinations; none: that of the plan
+  /// @param  exact    relative residual of combinations; none: that of the plan
+  /// @param  elapsed  time since the earlier configuration
   ContactMobility(const SuspensionSolver& solver, const Solution& solution,
-                  MobilityColumns earlier = {}, std::optional<double> exact = {});
+                  MobilityColumns earlier = {}, std::optional<double> exact = {},
+                  double elapsed = 0.0);
 
   /// Returns the motions under some loads. A load whose column is known from this or an earlier
   /// call is not solved for again.
@@ -53,9 +55,9 @@ class ContactMobility {
   /// allows for the scene's own flow, or for the flow of the loads if that is stronger.
   ///
   /// The difference between the accurate combination and that of the columns is added to the
-  /// columns in proportion to the part of their weights that no earlier combination has had. This is
-  /// Broyden's projected update: the least change of the columns that makes this combination right
-  /// and keeps the earlier ones so.
+  /// columns in proportion to the part of their weights that no earlier combination has had: this
+  /// is Broyden's projected update, the least change of the columns that makes this combination
+  /// right and keeps the earlier ones so.
   /// @param  multipliers  m numbers, one a column of the latest loads; or none
   /// @return              true if columns have changed, or will be solved to a tighter tolerance;
   ///                      false if the combination is as accurate as possible

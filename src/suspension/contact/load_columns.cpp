@@ -82,12 +82,13 @@ VectorXd load_scales_of(const Discretisation& discretisation) {
 }  // namespace
 
 LoadColumns::LoadColumns(const SuspensionSolver& solver, Solution solution, MobilityColumns earlier,
-                         double tightest)
+                         double tightest, double elapsed)
     : solver_(solver),
       solution_(std::move(solution)),
       earlier_(std::move(earlier)),
       tightest_(tightest),
       tolerance_(std::max(earlier_.tolerance, tightest)),
+      elapsed_(elapsed),
       load_scales_(load_scales_of(solution_.discretisation)) {
   if (solution_.system->is_factorised()) return;  // back substitutions need no guesses
   const Configuration& configuration = solution_.instant.configuration;
@@ -223,6 +224,25 @@ void LoadColumns::correct(std::size_t column, const ComplexVector& change, doubl
   complete(corrected, corrected.rhs_norm);
 }
 
+ComplexVector LoadColumns::expected_change(const SparseVector<double>& load) const {
+  if (elapsed_ == 0.0 || earlier_.drift.load.size() == 0) return {};
+  const Configuration& configuration = solution_.instant.configuration;
+  const VectorXd drifting =
+      load_scales_.asDiagonal() * rotate_forces(earlier_.drift.load, configuration, 1.0);
+  const double part =
+      drifting.dot(load_scales_.asDiagonal() * VectorXd(load)) / drifting.squaredNorm();
+  return elapsed_ * part *
+         earlier_.drift.density.guess(0.0, configuration, solution_.discretisation);
+}
+
+void LoadColumns::remember_change(const SparseVector<double>& load, const ComplexVector& change) {
+  if (elapsed_ == 0.0) return;
+  const Configuration& configuration = solution_.instant.configuration;
+  earlier_.drift.load = rotate_forces(load, configuration, -1.0);
+  earlier_.drift.density.add(0.0, configuration, solution_.discretisation, change / elapsed_);
+  elapsed_ = 0.0;
+}
+
 bool LoadColumns::tighten() {
   if (tolerance_ <= tightest_) return false;
   tolerance_ = std::max(tightest_, tightening * tolerance_);
@@ -243,6 +263,7 @@ MobilityColumns LoadColumns::for_next_configuration() const {
   }
   result.densities.add(0.0, configuration, solution_.discretisation, std::move(densities));
   result.tolerance = std::min(MobilityColumns::most_tolerance, loosening * tolerance_);
+  result.drift = earlier_.drift;
   return result;
 }
 

@@ -13,6 +13,12 @@ namespace stokesbook {
 /// begin. Loads and densities are stored in the frames of their components, in which they change
 /// little while a contact lasts.
 struct MobilityColumns {
+  /// How fast the density under a load changes in time, in the frames of the components.
+  struct Drift {
+    Eigen::VectorXd load{};     ///< 3K numbers, in components' frames; empty: unknown
+    DensityHistory density{1};  ///< change of its density over time, length / time^2
+  };
+
   Eigen::MatrixXd loads;      ///< 3K x m, as ContactMobility takes them, but in components' frames
   Eigen::VectorXd rhs_norms;  ///< norms of their right-hand sides, m numbers, length / time
   DensityHistory densities{1};  ///< densities of their solutions, a column each
@@ -20,6 +26,8 @@ struct MobilityColumns {
   /// turned by a tenth at most.
   static constexpr double most_tolerance = 0.1;
   double tolerance = most_tolerance;  ///< relative residual that columns may have next
+  double t = 0.0;                     ///< time of their configuration
+  Drift drift{};                      ///< that of the latest combination of loads
 };
 
 /// The flow under one load.
@@ -46,8 +54,9 @@ class LoadColumns {
   /// configuration; nothing is solved yet. The solver must outlive the columns.
   ///
   /// @param  tightest  least relative residual that a column needs
+  /// @param  elapsed   time since the earlier configuration
   LoadColumns(const SuspensionSolver& solver, Solution solution, MobilityColumns earlier,
-              double tightest);
+              double tightest, double elapsed = 0.0);
 
   /// Returns the numbers of the columns of m loads. Solves for those whose columns are not known
   /// from this or an earlier call, or not to the tolerance that now holds. Two loads that are
@@ -63,6 +72,16 @@ class LoadColumns {
   /// Adds a change to the density of a column.
   /// @param  tolerance  the relative residual that the column has had, if it exceeds the estimate
   void correct(std::size_t column, const ComplexVector& change, double tolerance);
+
+  /// Guesses how the density under a load differs from that of the earlier columns: it changes as
+  /// it did before that, in proportion to the time and to the part of the load that has acted
+  /// before, up to second order in time. Returns no numbers where nothing is known, or after
+  /// remember_change().
+  ComplexVector expected_change(const Eigen::SparseVector<double>& load) const;
+
+  /// Remembers how the density under a load differs from that of the earlier columns. Further calls
+  /// have no effect, as the columns are to be corrected by this change.
+  void remember_change(const Eigen::SparseVector<double>& load, const ComplexVector& change);
 
   /// Divides the tolerance of all columns by ten from now on. Returns false if the tolerance was
   /// the tightest one already.
@@ -106,6 +125,7 @@ class LoadColumns {
   MobilityColumns earlier_;
   double tightest_;
   double tolerance_;  // relative residual of columns
+  double elapsed_;    // time since the earlier configuration; 0 after remember_change()
   Eigen::VectorXd load_scales_;
   std::vector<LoadColumn> earlier_columns_;  // columns of earlier configurations, on these nodes
   std::vector<LoadColumn> columns_;          // columns of all loads so far

@@ -105,6 +105,9 @@ void add_solves(History& history, const SolveMemory& solves) {
   add_vectors(history, "contact_density", solves.columns.densities.packed());
   history["contact_loads"] = solves.columns.loads.reshaped();
   history["contact_flows"] = solves.columns.rhs_norms;
+  history["contact_time"] = one(solves.columns.t);
+  history["drift_load"] = solves.columns.drift.load;
+  add_vectors(history, "drift_density", solves.columns.drift.density.packed());
   add_vectors(history, "contact_velocity",
               {solves.contact_velocities.begin(), solves.contact_velocities.end()});
   VectorXd nodes(static_cast<Eigen::Index>(solves.contact_resolutions.size()));
@@ -129,6 +132,9 @@ SolveMemory find_solves(const History& history, SolveMemory solves, std::size_t 
   solves.columns.loads = history.at("contact_loads")
                              .reshaped(static_cast<Eigen::Index>(3 * components), Eigen::AutoSize);
   solves.columns.rhs_norms = history.at("contact_flows");
+  solves.columns.t = history.at("contact_time")[0];
+  solves.columns.drift.load = history.at("drift_load");
+  solves.columns.drift.density.unpack(find_vectors(history, "drift_density"), components);
   std::ranges::copy(find_vectors(history, "contact_velocity"), solves.contact_velocities.begin());
   for (const double nodes : history.at("nodes_in_contact")) {
     solves.contact_resolutions.push_back({static_cast<int>(nodes), {}});
