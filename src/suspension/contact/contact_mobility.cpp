@@ -45,10 +45,9 @@ double largest_motion(const VectorXd& velocities, const VectorXd& scales) {
 }  // namespace
 
 ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution& solution,
-                                 MobilityColumns earlier, std::optional<double> exact,
-                                 double elapsed)
+                                 MobilityColumns earlier, std::optional<double> exact, double t)
     : columns_(solver, solution, std::move(earlier), exact.value_or(solver.plan().gmres_tolerance),
-               elapsed),
+               t),
       most_correction_(most_correction * solver.scene().solver.tolerance),
       flow_norm_(solution.system->system.right_hand_side().norm()) {}
 

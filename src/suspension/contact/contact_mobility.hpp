@@ -31,11 +31,10 @@ class ContactMobility {
   /// Takes a solution, whose system is solved for loads, and the columns of an earlier
   /// configuration; nothing is solved yet. The solver must outlive the mobility.
   ///
-  /// @param  exact    relative residual of combinations; none: that of the plan
-  /// @param  elapsed  time since the earlier configuration
+  /// @param  exact  relative residual of combinations; none: that of the plan
+  /// @param  t      time of the solution
   ContactMobility(const SuspensionSolver& solver, const Solution& solution,
-                  MobilityColumns earlier = {}, std::optional<double> exact = {},
-                  double elapsed = 0.0);
+                  MobilityColumns earlier = {}, std::optional<double> exact = {}, double t = 0.0);
 
   /// Returns the motions under some loads. A load whose column is known from this or an earlier
   /// call is not solved for again.

@@ -82,13 +82,14 @@ VectorXd load_scales_of(const Discretisation& discretisation) {
 }  // namespace
 
 LoadColumns::LoadColumns(const SuspensionSolver& solver, Solution solution, MobilityColumns earlier,
-                         double tightest, double elapsed)
+                         double tightest, double t)
     : solver_(solver),
       solution_(std::move(solution)),
       earlier_(std::move(earlier)),
       tightest_(tightest),
       tolerance_(std::max(earlier_.tolerance, tightest)),
-      elapsed_(elapsed),
+      t_(t),
+      elapsed_(earlier_.loads.cols() > 0 ? t - earlier_.t : 0.0),
       load_scales_(load_scales_of(solution_.discretisation)) {
   if (solution_.system->is_factorised()) return;  // back substitutions need no guesses
   const Configuration& configuration = solution_.instant.configuration;
@@ -263,6 +264,7 @@ MobilityColumns LoadColumns::for_next_configuration() const {
   }
   result.densities.add(0.0, configuration, solution_.discretisation, std::move(densities));
   result.tolerance = std::min(MobilityColumns::most_tolerance, loosening * tolerance_);
+  result.t = t_;
   result.drift = earlier_.drift;
   return result;
 }

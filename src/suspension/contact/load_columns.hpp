@@ -54,9 +54,9 @@ class LoadColumns {
   /// configuration; nothing is solved yet. The solver must outlive the columns.
   ///
   /// @param  tightest  least relative residual that a column needs
-  /// @param  elapsed   time since the earlier configuration
+  /// @param  t         time of the solution
   LoadColumns(const SuspensionSolver& solver, Solution solution, MobilityColumns earlier,
-              double tightest, double elapsed = 0.0);
+              double tightest, double t = 0.0);
 
   /// Returns the numbers of the columns of m loads. Solves for those whose columns are not known
   /// from this or an earlier call, or not to the tolerance that now holds. Two loads that are
@@ -124,8 +124,9 @@ class LoadColumns {
   Solution solution_;
   MobilityColumns earlier_;
   double tightest_;
-  double tolerance_;  // relative residual of columns
-  double elapsed_;    // time since the earlier configuration; 0 after remember_change()
+  double tolerance_;    // relative residual of columns
+  double t_, elapsed_;  // time of the solution, and since that of the earlier columns; the latter 0
+                        // if there are none, and after remember_change()
   Eigen::VectorXd load_scales_;
   std::vector<LoadColumn> earlier_columns_;  // columns of earlier configurations, on these nodes
   std::vector<LoadColumn> columns_;          // columns of all loads so far

@@ -65,8 +65,7 @@ StageSolution ContactStages::resolve(const ContactStage& problem, StageSolution 
 StageContact ContactStages::find_forces(ContactStage problem, const Solution& flow) {
   const auto begin = std::chrono::steady_clock::now();
   SolveMemory& memory = instants_.memory();
-  ContactMobility mobility(solver_, flow, memory.columns, memory.gmres_tolerance,
-                           problem.t - memory.columns.t);
+  ContactMobility mobility(solver_, flow, memory.columns, memory.gmres_tolerance, problem.t);
   problem.free_velocity = problem.known_velocity + problem.share * to_rate(flow);
   Eigen::VectorXd& latest = memory.contact_velocities[problem.share < 1.0 ? 1 : 0];  // by stage
   problem.guess = latest;
@@ -75,7 +74,6 @@ StageContact ContactStages::find_forces(ContactStage problem, const Solution& fl
       with_time_in_errors(problem.t, [&] { return contact_.resolve(problem, mobility); });
   found.cost = mobility.cost();
   memory.columns = mobility.columns();
-  memory.columns.t = problem.t;
   if (found.outcome.is_resolved()) {
     latest = (found.outcome.result.velocity - problem.free_velocity) / problem.share;
     found.solution = mobility.loaded_solution(found.outcome.result.multipliers);
