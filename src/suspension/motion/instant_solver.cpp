@@ -114,6 +114,11 @@ Solution InstantSolver::solve_from_guess(const Instant& instant, const DensityGu
     throw_if(divergence_error(solution));
     return solution;
   }
+  return solve_coupled(instant, guess, estimate);
+}
+
+Solution InstantSolver::solve_coupled(const Instant& instant, const DensityGuess& guess,
+                                      EstimateOf estimate) const {
   const Resolutions& for_contact = memory_.contact_resolutions;
   switch (estimate) {
     case EstimateOf::solution:
@@ -121,19 +126,17 @@ Solution InstantSolver::solve_from_guess(const Instant& instant, const DensityGu
     case EstimateOf::solution_in_contact:
       return solver_.solve_nearby(instant, for_contact, guess);
     default:
-      return solver_.solve_nearby(instant, densities.latest_resolutions(), guess);
+      return solver_.solve_nearby(instant, memory_.densities.latest_resolutions(), guess);
   }
 }
 
 Solution InstantSolver::solve_again(double t, const TimedSolution& flow) {
   const Instant& instant = flow.solution.instant;
   const Configuration& configuration = instant.configuration;
-  const DensityGuess guess = density_guess(t, configuration);
-  const Resolutions& for_contact = memory_.contact_resolutions;
   const bool is_estimated = flow.estimate == EstimateOf::solution;
   Solution solution = with_time_in_errors(t, [&] {
-    return is_estimated ? solver_.solve(instant, guess, for_contact)
-                        : solver_.solve_nearby(instant, for_contact, guess);
+    return solve_coupled(instant, density_guess(t, configuration),
+                         is_estimated ? EstimateOf::solution : EstimateOf::solution_in_contact);
   });
   statistics_.add_solve(solution);
   if (!is_estimated) solution.error_estimate = flow.solution.error_estimate;

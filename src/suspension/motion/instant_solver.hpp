@@ -81,6 +81,8 @@ class InstantSolver {
                       const DensityGuess& guess, EstimateOf estimate);
   Solution solve_from_guess(const Instant& instant, const DensityGuess& guess,
                             EstimateOf estimate) const;
+  Solution solve_coupled(const Instant& instant, const DensityGuess& guess,
+                         EstimateOf estimate) const;
   Instant instant(const StepTime& time, const Configuration& configuration) const;
   DensityGuess density_guess(double t, const Configuration& configuration,
                              double deviations = 0.0) const;
