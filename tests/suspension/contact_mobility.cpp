@@ -129,14 +129,13 @@ BOOST_AUTO_TEST_CASE(changes_of_lasting_loads_are_foreseen) {
     t += dt;
     LoadColumns now(chain.solver, chain.solver.solve(chain.solver.instant(moving)), earlier, 1e-9,
                     t);
-    Eigen::SparseVector<double> load(15);
-    ComplexVector density;
     const std::vector<std::size_t> columns = now.find(pushes(moving, 0.0));
+    Eigen::SparseVector<double> load(15);
+    ComplexVector density = ComplexVector::Zero(now[0].density.size());
     for (const std::size_t i : columns) {
       const double weight = weights[static_cast<Index>(i)];
       load += weight * now[i].load;
-      density = density.size() == 0 ? ComplexVector(weight * now[i].density)
-                                    : ComplexVector(density + weight * now[i].density);
+      density += weight * now[i].density;
     }
     const ComplexVector expected = now.expected_change(load),
                         change =

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 
+constexpr const char* known_shapes = "exact_gap: only circles, ellipses, stars and superellipses";
+
 struct Jet {
   Complex x, dx, ddx;
 };
@@ -58,7 +60,7 @@ Jet jet(const Superellipse& shape, double t) {
 
 template <class Other>
 Jet jet(const Other&, double) {
-  throw std::invalid_argument("exact_gap: only circles, ellipses, stars and superellipses");
+  throw std::invalid_argument(known_shapes);
 }
 
 Jet at(const PlacedShape& placed, double t) {
@@ -158,7 +160,7 @@ double reach(const Superellipse& shape) {
 }
 template <class Other>
 double reach(const Other&) {
-  throw std::invalid_argument("exact_gap: only circles, ellipses, stars and superellipses");
+  throw std::invalid_argument(known_shapes);
 }
 
 }  // namespace
