@@ -97,7 +97,7 @@ const std::vector<JudgedSolution>& judged(Size size) {
     }
     return found;
   };
-  static const std::vector<JudgedSolution> quick = judge_all(24, 160);
+  static const std::vector<JudgedSolution> quick = judge_all(40, 160);
   if (size == Size::quick) return quick;
   static const std::vector<JudgedSolution> full = judge_all(200, 600);
   return full;

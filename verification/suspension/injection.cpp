@@ -20,7 +20,7 @@ namespace {
 const RecordedRun& run(Size size, double dt, SteppingMethod method) {
   static Once<std::tuple<Size, double, SteppingMethod>, RecordedRun> runs;
   return runs({size, dt, method}, [&] {
-    const double reversal = size == Size::full ? 2.5 : 0.75;
+    const double reversal = size == Size::full ? 2.5 : 1.25;
     Scene scene = shipped_scene("injection");
     scene.solver.tolerance = 1e-4;
     scene.time->dt = dt;
