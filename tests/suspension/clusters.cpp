@@ -1,11 +1,15 @@
-// Tests the cluster preconditioner: iteration counts of nearly touching bodies, and solutions equal
-// to those without it.
+// Tests clusters and trees of groups: iteration counts of nearly touching bodies, solutions equal to
+// those without them, and trees that several solves share.
+
+#include <cmath>
 
 #include <omp.h>
 
 #include "double_layer/double_layer.hpp"
 #include "support/touching.hpp"
+#include "suspension/motion/instant_solver.hpp"
 #include "suspension/scenes.hpp"
+#include "suspension/system/error_estimate.hpp"
 #include "suspension/system/preconditioner.hpp"
 #include "suspension/system/preconditioner_choice.hpp"
 
@@ -225,6 +229,78 @@ BOOST_AUTO_TEST_CASE(crystals_are_told_from_crowds) {
   crystal.bodies[0].held = true;
   BOOST_TEST(!is_one(crystal));
   BOOST_TEST(!is_one(disk_hexagon(3, 1e-2, 1e-1)));  // wider gaps
+}
+
+BOOST_AUTO_TEST_CASE(trees_last_until_bodies_have_moved_past_each_other) {
+  const Discretised start(disk_hexagon(1, 0.01));
+  const Configuration& earlier = start.configuration;
+  const std::vector<Gap> gaps = start.solver.gaps(earlier);
+  const double radius = start.discretisation[0]->gyration_radius;
+  const double length = 2.0 * std::sqrt(0.01 * radius);  // for the narrowest gaps
+  const auto lasts = [&](const Configuration& later) {
+    return tree_lasts(earlier, later, gaps, start.discretisation);
+  };
+  const auto with_one_moved = [&](Complex path, double angle) {
+    Configuration later = earlier;
+    later[2].position += path;
+    later[2].orientation += angle;
+    return later;
+  };
+  BOOST_TEST(lasts(earlier));
+  for (const double sign : {1.0, -1.0}) {
+    BOOST_TEST(lasts(with_one_moved({0.0, sign * 0.99 * length}, 0.0)));
+    BOOST_TEST(!lasts(with_one_moved({0.0, sign * 1.01 * length}, 0.0)));
+    BOOST_TEST(lasts(with_one_moved({}, sign * 0.99 * length / radius)));
+    BOOST_TEST(!lasts(with_one_moved({}, sign * 1.01 * length / radius)));
+    BOOST_TEST(!lasts(with_one_moved({0.0, 0.6 * length}, sign * 0.6 * length / radius)));
+  }
+  Configuration carried = earlier;
+  for (Pose& pose : carried) pose.position += Complex{100.0, -30.0};
+  BOOST_TEST(lasts(carried));
+}
+
+BOOST_AUTO_TEST_CASE(solves_nearby_share_a_tree) {
+  Scene scene = with_preconditioner(disk_hexagon(1, 0.1, 1e-5), PreconditionerKind::hierarchical);
+  const SuspensionSolver solver(scene);
+  const Solution first = solver.solve(solver.start());
+  const Resolutions nodes = resolutions_of(first.discretisation);
+  const auto solve_after = [&](double t, const Resolutions& least, const SharedTree& tree) {
+    Configuration moved = first.instant.configuration;
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      moved[k].position += t * first.motions[k].velocity;
+      moved[k].orientation += t * first.motions[k].omega;
+    }
+    return solver.solve_nearby(solver.instant(moved), least, {}, tree);
+  };
+  const Solution shared = solve_after(0.02, nodes, first.tree), own = solve_after(0.02, nodes, {});
+  BOOST_TEST(shared.tree == first.tree);
+  BOOST_TEST(own.tree != first.tree);
+  BOOST_TEST(own.tree != nullptr);
+  BOOST_TEST(shared.gmres.iterations <= own.gmres.iterations + 5);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    BOOST_TEST(std::abs(shared.motions[k].velocity - own.motions[k].velocity) < 1e-6);
+    BOOST_TEST(std::abs(shared.motions[k].omega - own.motions[k].omega) < 1e-6);
+  }
+  // The tree of other nodes, or of bodies elsewhere, does not fit.
+  BOOST_TEST(solve_after(0.02, refine(nodes), first.tree).tree != first.tree);
+  BOOST_TEST(solve_after(1.0, nodes, first.tree).tree != first.tree);
+  // Other preconditioners are built for each solve.
+  const SuspensionSolver blocks(with_preconditioner(scene, PreconditionerKind::block_diagonal));
+  BOOST_TEST(blocks.solve_nearby(blocks.start(), nodes, {}, first.tree).tree == nullptr);
+}
+
+BOOST_AUTO_TEST_CASE(stages_share_the_tree_of_a_step) {
+  Scene scene = with_preconditioner(disk_hexagon(1, 0.1, 1e-4), PreconditionerKind::hierarchical);
+  scene.time = TimeSettings{0.1, 0.02, SteppingMethod::heun};
+  const SuspensionSolver solver(scene);
+  const OutputSchedule schedule(scene);
+  RunStatistics statistics;
+  InstantSolver instants(solver, schedule, statistics, {});
+  const Configuration here = solver.start().configuration;
+  const SharedTree tree = instants.solve({0.0, 0.0}, here).solution.tree;
+  BOOST_TEST(tree != nullptr);
+  BOOST_TEST(instants.solve_stage({0.02, 0.0}, here, tree).solution.tree == tree);
+  BOOST_TEST(instants.solve({0.02, 0.0}, here).solution.tree != tree);
 }
 
 BOOST_AUTO_TEST_CASE(neighbours_are_mutual_and_leave_enclosing_walls_out) {

@@ -8,6 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "support/touching.hpp"
 #include "suspension/bodies/solver_error.hpp"
 #include "suspension/trajectories.hpp"
 
@@ -66,6 +67,32 @@ Recorded record(const SuspensionSolver& solver, const std::optional<Checkpoint>&
   simulation.run();
   recorded.resolution = simulation.resolution();
   return recorded;
+}
+
+// Resumes a run at each of its frames.
+void expect_same_bits_after_resuming(const Scene& scene) {
+  const SuspensionSolver solver(scene);
+  std::vector<Checkpoint> checkpoints;
+  const Recorded whole = record(solver, {}, &checkpoints);
+  BOOST_REQUIRE_EQUAL(checkpoints.size(), whole.frames.size());
+  for (std::size_t first = 1; first < checkpoints.size(); ++first) {
+    const Recorded rest = record(solver, checkpoints[first - 1], nullptr);
+    BOOST_REQUIRE_EQUAL(rest.frames.size() + first, whole.frames.size());
+    for (std::size_t i = 0; i < rest.frames.size(); ++i) {
+      BOOST_TEST(rest.frames[i].t == whole.frames[i + first].t);
+      for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+        BOOST_TEST(same(rest.frames[i].bodies[k], whole.frames[i + first].bodies[k]));
+      }
+    }
+    BOOST_TEST(rest.resolution.first_nodes == whole.resolution.first_nodes);
+    BOOST_TEST(rest.resolution.most_nodes == whole.resolution.most_nodes);
+    BOOST_TEST(rest.resolution.velocity_error == whole.resolution.velocity_error);
+    BOOST_TEST(rest.resolution.configuration_error == whole.resolution.configuration_error);
+    const std::size_t skipped = whole.steps.size() - rest.steps.size();
+    for (std::size_t i = 0; i < rest.steps.size(); ++i) {
+      BOOST_TEST(same(rest.steps[i], whole.steps[i + skipped]));
+    }
+  }
 }
 
 }  // namespace
@@ -221,28 +248,17 @@ BOOST_AUTO_TEST_CASE(a_run_resumed_at_any_frame_continues_bit_for_bit) {
   for (const SteppingMethod method : methods) {
     Scene scene = sheared_pair(method);
     scene.reverse_at = {0.6};
-    const SuspensionSolver solver(scene);
-    std::vector<Checkpoint> checkpoints;
-    const Recorded whole = record(solver, {}, &checkpoints);
-    BOOST_REQUIRE_EQUAL(checkpoints.size(), whole.frames.size());
-    for (std::size_t first = 1; first < checkpoints.size(); ++first) {
-      const Recorded rest = record(solver, checkpoints[first - 1], nullptr);
-      BOOST_REQUIRE_EQUAL(rest.frames.size() + first, whole.frames.size());
-      for (std::size_t i = 0; i < rest.frames.size(); ++i) {
-        BOOST_TEST(rest.frames[i].t == whole.frames[i + first].t);
-        for (std::size_t k = 0; k < 2; ++k) {
-          BOOST_TEST(same(rest.frames[i].bodies[k], whole.frames[i + first].bodies[k]));
-        }
-      }
-      BOOST_TEST(rest.resolution.first_nodes == whole.resolution.first_nodes);
-      BOOST_TEST(rest.resolution.most_nodes == whole.resolution.most_nodes);
-      BOOST_TEST(rest.resolution.velocity_error == whole.resolution.velocity_error);
-      BOOST_TEST(rest.resolution.configuration_error == whole.resolution.configuration_error);
-      const std::size_t skipped = whole.steps.size() - rest.steps.size();
-      for (std::size_t i = 0; i < rest.steps.size(); ++i) {
-        BOOST_TEST(same(rest.steps[i], whole.steps[i + skipped]));
-      }
-    }
+    expect_same_bits_after_resuming(scene);
+  }
+}
+
+// The stages of a step share its tree of groups, which a resumed run builds again.
+BOOST_AUTO_TEST_CASE(a_run_in_trees_continues_bit_for_bit) {
+  for (const SteppingMethod method : {SteppingMethod::heun, SteppingMethod::dormand_prince54}) {
+    Scene scene = with_preconditioner(disk_hexagon(1, 0.1, 1e-4), PreconditionerKind::hierarchical);
+    scene.time = TimeSettings{0.1, 0.02, method};
+    scene.output.dt_write = 0.04;
+    expect_same_bits_after_resuming(scene);
   }
 }
 

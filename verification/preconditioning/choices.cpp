@@ -66,16 +66,6 @@ double over_the_best(const Scene& scene) {
   return with_choices / least;
 }
 
-/// Replaces the loads by a shear flow.
-Scene sheared(Scene scene) {
-  for (Body& body : scene.bodies) {
-    body.force = 0.0;
-    body.torque = 0.0;
-  }
-  scene.flow = ShearFlow{1.0};
-  return scene;
-}
-
 Scene with_contact(Scene scene, double separation) {
   scene.contact = ContactSettings{separation};
   return scene;
@@ -222,12 +212,14 @@ Experiment choices_in_contact() {
                 return with_contact(settling_in_container(1.0, count, 0.55, 0.01), 0.01);
               },
               {10, 30, 100, 300}),
-       family("contact", "disks in shear with contact, 0.6",
-              [](int count) { return with_contact(sheared(loaded_packing(count, 0.6)), 1e-3); },
-              {10, 30, 100, 300}),
-       family("contact_of_ellipses", "ellipses 3:1 in shear with contact, 0.4",
-              [](int count) { return with_contact(sheared(loaded_ellipses(count, 0.4)), 1e-3); },
-              {10, 30, 100}),
+       family(
+           "contact", "disks in shear with contact, 0.6",
+           [](int count) { return with_contact(test::sheared(loaded_packing(count, 0.6)), 1e-3); },
+           {10, 30, 100, 300}),
+       family(
+           "contact_of_ellipses", "ellipses 3:1 in shear with contact, 0.4",
+           [](int count) { return with_contact(test::sheared(loaded_ellipses(count, 0.4)), 1e-3); },
+           {10, 30, 100}),
        family(
            "turning_disks", "disks with contact in a turning circle, 0.27, tolerance 1e-3",
            [](int count) { return in_turning_circle(Circle{0.19}, count); }, {10, 30, 100, 300},
@@ -242,7 +234,7 @@ Experiment choices_in_contact() {
               {10, 30, 60}, 0.02, 75),
        family("annulus", "disks between two circles, 0.4", between_circles, {10, 30, 100, 300}),
        family("pores", "disks in shear, 0.5, a third of them held",
-              [](int count) { return with_pores(sheared(loaded_packing(count, 0.5))); },
+              [](int count) { return with_pores(test::sheared(loaded_packing(count, 0.5))); },
               {10, 30, 100})});
 }
 

@@ -46,13 +46,14 @@ Effort effort(const Scene& scene, const Choice& choice, double tolerance) {
   const GmresResult result = solve(discrete, discrete.system.right_hand_side(), {tolerance, 2000});
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   const auto cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
-  const auto* tree = discrete.precondition.target<HierarchicalPreconditioner>();
   const auto bodies = static_cast<double>(scene.bodies.size());
   return {.iterations = static_cast<double>(result.iterations),
           .unknowns = static_cast<double>(result.solution.size()),
           .seconds = taken.count(),
           .ms_a_body = 1e3 * cpu_seconds / bodies,
-          .kb_a_body = tree == nullptr ? 0.0 : 1e-3 * static_cast<double>(tree->bytes()) / bodies};
+          .kb_a_body = discrete.tree
+                           ? 1e-3 * static_cast<double>(discrete.tree->inverse.bytes()) / bodies
+                           : 0.0};
 }
 
 /// Holds a scene and its position on the x axis of a figure. A quick study skips the scene if

@@ -29,6 +29,7 @@ study::Experiment jammed_packings();
 study::Experiment crystals();
 study::Experiment growth_of_iterations();
 study::Experiment judged_packings();
+study::Experiment earlier_trees();
 study::Experiment choices();
 study::Experiment choices_in_contact();
 study::Experiment recycling();

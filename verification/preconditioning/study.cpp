@@ -33,6 +33,7 @@ study::Study preconditioning_study() {
                           crystals(),
                           growth_of_iterations(),
                           judged_packings(),
+                          earlier_trees(),
                           choices(),
                           choices_in_contact(),
                           recycling()}};

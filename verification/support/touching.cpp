@@ -162,6 +162,15 @@ Scene ellipses_in_vortices(double tolerance) {
   return scene;
 }
 
+Scene sheared(Scene scene) {
+  for (Body& body : scene.bodies) {
+    body.force = 0.0;
+    body.torque = 0.0;
+  }
+  scene.flow = ShearFlow{1.0};
+  return scene;
+}
+
 Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner) {
   scene.solver.preconditioner = preconditioner;
   return scene;

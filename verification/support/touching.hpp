@@ -45,6 +45,9 @@ Scene ellipses_in_vortices(double tolerance = 1e-4);
 
 /// @}
 
+/// Returns the same scene in a shear flow, without loads.
+Scene sheared(Scene scene);
+
 /// Returns the same scene with the given preconditioner.
 Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner);
 

@@ -245,8 +245,9 @@ ContactSteps::SecondStage ContactSteps::second_stage(const RunState& state, cons
       .known_velocity = 0.5 * first.velocity,
       .closer = *state.closer,
       .most_iterations = most_iterations - first.iterations};
-  StageSolution stage =
-      stages_.resolve(problem, {instants_.solve_stage({start.t_end, state.now.t}, acting.paths)});
+  StageSolution stage = stages_.resolve(
+      problem,
+      {instants_.solve_stage({start.t_end, state.now.t}, acting.paths, start.flow.solution.tree)});
   auto& [outcome, solution, cost, seconds] = stage.contact;
   const VectorXd& velocity = outcome.result.velocity;  // the mean of both stages
   VectorXd rate = first_rate;

@@ -103,9 +103,10 @@ TakenStep FreeSteps::advance(const RunState& state, StepStart start) {
   const double closest = info.min_gap;
   const Configuration here = configuration_of(solver_, state.now.state);
   std::optional<TimedSolution> last;
+  SharedTree tree = std::move(start.flow.solution.tree);  // of the latest solve that was no stage
   const auto within = [&](double t, const VectorXd& q) {
     const TimedSolution stage =
-        instants_.solve_stage({t, state.now.t}, admitted_configuration(solver_, t, q));
+        instants_.solve_stage({t, state.now.t}, admitted_configuration(solver_, t, q), tree);
     info = with_solve(info, stage.solution, stage.seconds);
     return state_rate(solver_, stage.solution, q);
   };
@@ -116,7 +117,9 @@ TakenStep FreeSteps::advance(const RunState& state, StepStart start) {
         lattice_step(lattice_at(solver_.scene(), state.now.t), lattice_at(solver_.scene(), t));
     const std::string passing = passing_.describe_passing(here, there, closest, lattice);
     if (!passing.empty()) throw ConfigurationError(at_time(t) + passing);
+    tree.reset();  // two large trees at a time would take too much memory
     last = instants_.solve({t, state.now.t}, there);
+    tree = last->solution.tree;
     return state_rate(solver_, last->solution, q);
   };
   const TimePoint now{state.now.t, state.now.state,

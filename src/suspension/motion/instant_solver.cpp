@@ -64,22 +64,24 @@ TimedSolution InstantSolver::solve(const StepTime& time, const Configuration& co
   return end;
 }
 
-TimedSolution InstantSolver::solve_stage(const StepTime& time, const Configuration& configuration) {
+TimedSolution InstantSolver::solve_stage(const StepTime& time, const Configuration& configuration,
+                                         const SharedTree& tree) {
   const double dt = time.t - time.begin;
   TimedSolution stage = solve(time, configuration, density_guess(time.t, configuration, dt * dt),
-                              EstimateOf::earlier_solve);
+                              EstimateOf::earlier_solve, tree);
   memory_.stage_dt = dt;
   return stage;
 }
 
 TimedSolution InstantSolver::solve(const StepTime& time, const Configuration& configuration,
-                                   const DensityGuess& guess, EstimateOf estimate) {
+                                   const DensityGuess& guess, EstimateOf estimate,
+                                   const SharedTree& tree) {
   const auto start = std::chrono::steady_clock::now();
   const double t = time.t;
   const Instant instant = this->instant(time, configuration);
   SolveMemory before = memory_;
   Solution solution =
-      with_time_in_errors(t, [&] { return solve_from_guess(instant, guess, estimate); });
+      with_time_in_errors(t, [&] { return solve_from_guess(instant, guess, estimate, tree); });
   if (estimate != EstimateOf::solution) solution.error_estimate = memory_.error_estimate;
   memory_.densities.add(t, configuration, solution.discretisation, solution.density);
   if (!solver_.scene().contact) solution.system.reset();  // only contact solves it again
@@ -107,18 +109,18 @@ Instant InstantSolver::instant(const StepTime& time, const Configuration& config
 }
 
 Solution InstantSolver::solve_from_guess(const Instant& instant, const DensityGuess& guess,
-                                         EstimateOf estimate) const {
+                                         EstimateOf estimate, const SharedTree& tree) const {
   const DensityHistory& densities = memory_.densities;
   if (solver_.scene().solver.coupling == Coupling::local && !densities.empty()) {
     Solution solution = solver_.solve_lagged(instant, guess);
     throw_if(divergence_error(solution));
     return solution;
   }
-  return solve_coupled(instant, guess, estimate);
+  return solve_coupled(instant, guess, estimate, tree);
 }
 
 Solution InstantSolver::solve_coupled(const Instant& instant, const DensityGuess& guess,
-                                      EstimateOf estimate) const {
+                                      EstimateOf estimate, const SharedTree& tree) const {
   const Resolutions& for_contact = memory_.contact_resolutions;
   switch (estimate) {
     case EstimateOf::solution:
@@ -126,7 +128,7 @@ Solution InstantSolver::solve_coupled(const Instant& instant, const DensityGuess
     case EstimateOf::solution_in_contact:
       return solver_.solve_nearby(instant, for_contact, guess);
     default:
-      return solver_.solve_nearby(instant, memory_.densities.latest_resolutions(), guess);
+      return solver_.solve_nearby(instant, memory_.densities.latest_resolutions(), guess, tree);
   }
 }
 

@@ -56,7 +56,8 @@ class InstantSolver {
   /// @throws SolverError with the time, as SuspensionSolver::solve() does
   TimedSolution solve(const StepTime& time, const Configuration& configuration);
 
-  /// Solves a stage within a step as solve() does, without an estimate of its error.
+  /// Solves a stage within a step as solve() does, without an estimate of its error. The stage uses
+  /// the tree of groups of the step's beginning if tree_lasts().
   ///
   /// The configuration of a stage deviates from the path of the bodies by dt^2, and so does its
   /// density. Where a stage and the end of its step have the same time, solve() remembers the
@@ -64,7 +65,8 @@ class InstantSolver {
   /// and subtracted from the density of a stage for the guess at the end. The lagged coupling takes
   /// densities as they are.
   /// @par Accuracy  the guess at the end leaves a residual of order dt^4, @ref claim_09_40
-  TimedSolution solve_stage(const StepTime& time, const Configuration& configuration);
+  TimedSolution solve_stage(const StepTime& time, const Configuration& configuration,
+                            const SharedTree& tree = {});
 
   /// Solves the instant of `flow` again with the node numbers that contact requires, and remembers
   /// its densities instead. The new solution has its own cost, and its own error estimate if `flow`
@@ -78,11 +80,11 @@ class InstantSolver {
 
  private:
   TimedSolution solve(const StepTime& time, const Configuration& configuration,
-                      const DensityGuess& guess, EstimateOf estimate);
-  Solution solve_from_guess(const Instant& instant, const DensityGuess& guess,
-                            EstimateOf estimate) const;
-  Solution solve_coupled(const Instant& instant, const DensityGuess& guess,
-                         EstimateOf estimate) const;
+                      const DensityGuess& guess, EstimateOf estimate, const SharedTree& tree = {});
+  Solution solve_from_guess(const Instant& instant, const DensityGuess& guess, EstimateOf estimate,
+                            const SharedTree& tree) const;
+  Solution solve_coupled(const Instant& instant, const DensityGuess& guess, EstimateOf estimate,
+                         const SharedTree& tree = {}) const;
   Instant instant(const StepTime& time, const Configuration& configuration) const;
   DensityGuess density_guess(double t, const Configuration& configuration,
                              double deviations = 0.0) const;

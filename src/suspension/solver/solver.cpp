@@ -142,9 +142,10 @@ Discretisation SuspensionSolver::discretise(const Resolutions& resolutions) cons
 LinearSystem SuspensionSolver::assemble(const StokesProblem& problem,
                                         const Configuration& configuration,
                                         const std::vector<Gap>& gaps,
-                                        const Discretisation& discretisation) const {
+                                        const Discretisation& discretisation,
+                                        const SharedTree& tree) const {
   return preconditioned_system(scene_, plan_, problem, configuration, gaps, discretisation,
-                               separation());
+                               separation(), tree);
 }
 
 LinearSystem SuspensionSolver::linear_system(const Instant& instant,
@@ -156,7 +157,7 @@ LinearSystem SuspensionSolver::linear_system(const Instant& instant,
 
 // Discretises the components of an instant and assembles its linear system.
 Solution SuspensionSolver::prepare(const Instant& instant, const std::vector<Gap>& gaps,
-                                   const Resolutions& resolutions) const {
+                                   const Resolutions& resolutions, const SharedTree& tree) const {
   const Configuration& configuration = instant.configuration;
   throw_if<ConfigurationError>(limit_error(scene_, resolutions, gaps));
   Solution prepared{instant, discretise(resolutions)};
@@ -164,8 +165,9 @@ Solution SuspensionSolver::prepare(const Instant& instant, const std::vector<Gap
   throw_if<ConfigurationError>(geometry_error(scene_, gaps, configuration, discretisation));
   const StokesProblem problem = instant_problem(scene_, instant, discretisation);
   throw_if(data_error(scene_, problem));
-  prepared.system =
-      std::make_shared<const LinearSystem>(assemble(problem, configuration, gaps, discretisation));
+  prepared.system = std::make_shared<const LinearSystem>(
+      assemble(problem, configuration, gaps, discretisation, tree));
+  prepared.tree = prepared.system->tree;
   prepared.velocity_scale = prepared.system->system.right_hand_side().cwiseAbs().maxCoeff();
   prepared.gaps = gaps;
   return prepared;
@@ -301,11 +303,11 @@ LoadedCheck SuspensionSolver::check_loaded(const Solution& loaded, double gmres_
 }
 
 Solution SuspensionSolver::solve_nearby(const Instant& instant, const Resolutions& earlier,
-                                        const DensityGuess& guess) const {
+                                        const DensityGuess& guess, const SharedTree& tree) const {
   const std::vector<Gap> gaps = find_open_gaps(instant);
   const Resolutions resolutions = at_least(earlier, first_resolutions(instant.configuration, gaps));
   Solution solution =
-      solve_system(prepare(instant, gaps, resolutions), plan_.gmres_tolerance, guess);
+      solve_system(prepare(instant, gaps, resolutions, tree), plan_.gmres_tolerance, guess);
   solution.cost = {solution.gmres.iterations, solution.gmres.applications};
   solution.error_estimate = std::numeric_limits<double>::quiet_NaN();
   return solution;

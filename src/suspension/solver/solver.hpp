@@ -77,9 +77,10 @@ class SuspensionSolver {
   /// stages of a time step, and for steps between estimates.
   ///
   /// @param  earlier  resolution that sufficed before; gaps that have closed require more
+  /// @param  tree     that of the earlier solution, which is used again if tree_lasts()
   /// @throws SolverError as solve() does, except for estimates
   Solution solve_nearby(const Instant& instant, const Resolutions& earlier,
-                        const DensityGuess& guess = {}) const;
+                        const DensityGuess& guess = {}, const SharedTree& tree = {}) const;
 
   /// Solves for every component alone in the earlier flow of all others: the lagged, "locally
   /// implicit" coupling, one sweep of block Jacobi,
@@ -169,9 +170,10 @@ class SuspensionSolver {
   };
   std::vector<Gap> find_open_gaps(const Instant& instant) const;
   LinearSystem assemble(const StokesProblem& problem, const Configuration& configuration,
-                        const std::vector<Gap>& gaps, const Discretisation& discretisation) const;
+                        const std::vector<Gap>& gaps, const Discretisation& discretisation,
+                        const SharedTree& tree = {}) const;
   Solution prepare(const Instant& instant, const std::vector<Gap>& gaps,
-                   const Resolutions& resolutions) const;
+                   const Resolutions& resolutions, const SharedTree& tree = {}) const;
   Solution solve_system(Solution prepared, double gmres_tolerance, const DensityGuess& guess) const;
   ErrorEstimate estimate_on_finer_nodes(const LinearSystem& discrete, const Solution& solution,
                                         double gmres_tolerance) const;

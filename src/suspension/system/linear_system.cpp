@@ -140,13 +140,14 @@ LinearSystem unpreconditioned_system(const Plan& plan, const StokesProblem& prob
 LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
                                    const StokesProblem& problem, const Configuration& configuration,
                                    const std::vector<Gap>& gaps,
-                                   const Discretisation& discretisation, double separation) {
+                                   const Discretisation& discretisation, double separation,
+                                   const SharedTree& earlier) {
   const std::vector<PlacedCurve> placed = near_curves(plan, configuration, discretisation);
   const auto kind = chosen_preconditioner(plan, gaps, discretisation, separation);
   // A preconditioner needs far more memory while it is built than later, so it comes first.
-  LinearMap precondition =
-      make_preconditioner(kind, plan, scene, problem, configuration, gaps, discretisation, placed);
-  return {SuspensionOperator(problem, placed, plan), std::move(precondition), kind};
+  auto [inverse, tree] = make_preconditioner(kind, plan, scene, problem, configuration, gaps,
+                                             discretisation, placed, earlier);
+  return {SuspensionOperator(problem, placed, plan), std::move(inverse), kind, std::move(tree)};
 }
 
 }  // namespace stokesbook

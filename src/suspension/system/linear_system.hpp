@@ -11,6 +11,7 @@
 #include "suspension/bodies/gaps.hpp"
 #include "suspension/system/fast_sum.hpp"
 #include "suspension/system/plan.hpp"
+#include "suspension/system/preconditioner.hpp"
 
 namespace stokesbook {
 
@@ -71,6 +72,7 @@ struct LinearSystem {
   SuspensionOperator system;    ///< density in, velocity at the nodes out
   LinearMap precondition = {};  ///< approximate inverse, interleaved; empty: none
   PreconditionerKind kind = PreconditionerKind::none;  ///< of the preconditioner
+  SharedTree tree = {};                                ///< of the preconditioner, if it has one
 
   /// Returns the components with their nodes and data.
   const StokesProblem& problem() const { return system.closure().problem(); }
@@ -97,10 +99,12 @@ LinearSystem unpreconditioned_system(const Plan& plan, const StokesProblem& prob
 /// Builds the linear system of a problem with the preconditioner that chosen_preconditioner()
 /// selects. Error messages name the components of the scene.
 ///
+/// @param  earlier  a tree that is used again if tree_lasts()
 /// @throws SolverError as make_preconditioner() does
 LinearSystem preconditioned_system(const Scene& scene, const Plan& plan,
                                    const StokesProblem& problem, const Configuration& configuration,
                                    const std::vector<Gap>& gaps,
-                                   const Discretisation& discretisation, double separation);
+                                   const Discretisation& discretisation, double separation,
+                                   const SharedTree& earlier = {});
 
 }  // namespace stokesbook

@@ -182,21 +182,43 @@ HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& prob
       layer_blocks(problem, with_matrices, layer_tolerance), settings};
 }
 
-LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const Scene& scene,
-                              const StokesProblem& problem, const Configuration& configuration,
-                              const std::vector<Gap>& gaps, const Discretisation& discretisation,
-                              const std::vector<PlacedCurve>& placed) {
+namespace {
+
+// Returns the earlier tree of groups if it lasts, otherwise a new one.
+SharedTree lasting_tree(const StokesProblem& problem, const Configuration& configuration,
+                        const std::vector<Gap>& gaps, const Discretisation& discretisation,
+                        const std::vector<PlacedCurve>& placed, const SharedTree& earlier) {
+  std::vector<Index> offsets = node_offsets(problem);
+  if (earlier && earlier->offsets == offsets &&
+      tree_lasts(earlier->configuration, configuration, gaps, discretisation)) {
+    return earlier;
+  }
+  return std::make_shared<const BuiltTree>(
+      BuiltTree{hierarchical_preconditioner(problem, configuration, discretisation, placed,
+                                            hierarchy_settings(gaps, discretisation)),
+                std::move(offsets), configuration});
+}
+
+}  // namespace
+
+Preconditioner make_preconditioner(PreconditionerKind kind, const Plan& plan, const Scene& scene,
+                                   const StokesProblem& problem, const Configuration& configuration,
+                                   const std::vector<Gap>& gaps,
+                                   const Discretisation& discretisation,
+                                   const std::vector<PlacedCurve>& placed,
+                                   const SharedTree& earlier) {
   if (kind == PreconditionerKind::none) return {};
   if (kind == PreconditionerKind::direct) {
-    return DirectPreconditioner(problem, layer_blocks(problem, placed, plan.near_tolerance));
+    return {DirectPreconditioner(problem, layer_blocks(problem, placed, plan.near_tolerance))};
   }
   try {
     if (kind == PreconditionerKind::clusters) {
-      return cluster_preconditioner(problem, configuration, discretisation, placed);
+      return {cluster_preconditioner(problem, configuration, discretisation, placed)};
     }
     if (kind == PreconditionerKind::hierarchical) {
-      return hierarchical_preconditioner(problem, configuration, discretisation, placed,
-                                         hierarchy_settings(gaps, discretisation));
+      const SharedTree tree =
+          lasting_tree(problem, configuration, gaps, discretisation, placed, earlier);
+      return {[tree](const Eigen::VectorXd& v) { return tree->inverse(v); }, tree};
     }
   } catch (const std::domain_error& error) {
     throw SolverError("preconditioner by clusters or groups: " + std::string(error.what()) +
@@ -220,7 +242,7 @@ LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const S
           "; a gauge_length close to the size of a held component is a degenerate scale");
     }
   }
-  return BlockDiagonalPreconditioner(std::move(members));
+  return {BlockDiagonalPreconditioner(std::move(members))};
 }
 
 }  // namespace stokesbook

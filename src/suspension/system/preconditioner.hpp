@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "closure/problem.hpp"
@@ -42,15 +43,33 @@ HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& prob
                                                        const std::vector<PlacedCurve>& placed,
                                                        const HierarchySettings& settings = {});
 
+/// A tree of groups, and the components for which it was built.
+struct BuiltTree {
+  HierarchicalPreconditioner inverse;
+  std::vector<Eigen::Index> offsets;  ///< by node_offsets()
+  Configuration configuration;
+};
+
+/// Trees of groups that the systems of several configurations share; empty: none.
+using SharedTree = std::shared_ptr<const BuiltTree>;
+
+/// A preconditioner of a SuspensionOperator.
+struct Preconditioner {
+  LinearMap inverse = {};  ///< approximate, interleaved; empty: none
+  SharedTree tree = {};    ///< that `inverse` applies, if it is hierarchical
+};
+
 /// Builds a preconditioner of a given kind for the SuspensionOperator of a problem.
 ///
-/// @param  placed  curves of the components for near corrections; empty: none
-/// @return         approximate inverse, interleaved; empty: none
+/// @param  placed   curves of the components for near corrections; empty: none
+/// @param  earlier  a tree that is used again if tree_lasts()
 /// @throws SolverError when the preconditioner is singular, as the block of a held component is
 ///                whose size is at the degenerate scale of flow.gauge_length
-LinearMap make_preconditioner(PreconditionerKind kind, const Plan& plan, const Scene& scene,
-                              const StokesProblem& problem, const Configuration& configuration,
-                              const std::vector<Gap>& gaps, const Discretisation& discretisation,
-                              const std::vector<PlacedCurve>& placed);
+Preconditioner make_preconditioner(PreconditionerKind kind, const Plan& plan, const Scene& scene,
+                                   const StokesProblem& problem, const Configuration& configuration,
+                                   const std::vector<Gap>& gaps,
+                                   const Discretisation& discretisation,
+                                   const std::vector<PlacedCurve>& placed,
+                                   const SharedTree& earlier);
 
 }  // namespace stokesbook

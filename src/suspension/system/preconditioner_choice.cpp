@@ -121,6 +121,25 @@ bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps, const Discretisat
           (in_contact || digits * digits * static_cast<double>(count * inner.wide) >= many));
 }
 
+bool tree_lasts(const Configuration& earlier, const Configuration& configuration,
+                const std::vector<Gap>& gaps, const Discretisation& discretisation) {
+  constexpr double most_lengths = 2.0;
+  const auto displacement = [&](std::size_t k) {
+    return configuration[k].position - earlier[k].position;
+  };
+  // Path of the boundary by the rotation of a component.
+  const auto turned = [&](std::size_t k) {
+    return discretisation[k]->gyration_radius *
+           std::abs(configuration[k].orientation - earlier[k].orientation);
+  };
+  return std::ranges::all_of(gaps, [&](const Gap& gap) {
+    const double moved =
+        std::abs(displacement(gap.a) - displacement(gap.b)) + turned(gap.a) + turned(gap.b);
+    const double length = std::sqrt(gap.points.gap * smaller_radius(gap, discretisation));
+    return moved < most_lengths * length;
+  });
+}
+
 bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisation) {
   constexpr std::size_t most_in_tree = 30;
   const InnerGaps inner = count_inner_gaps(gaps, discretisation);

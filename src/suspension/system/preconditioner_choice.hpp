@@ -33,6 +33,16 @@ bool direct_pays(const Plan& plan, const std::vector<Gap>& gaps,
 bool tree_pays(const Plan& plan, const std::vector<Gap>& gaps, const Discretisation& discretisation,
                double separation);
 
+/// Returns whether the tree of groups of an earlier configuration serves nearly as well as a new one,
+/// which takes as long as dozens of products with the operator: no two bodies have moved past each
+/// other by two lengths of their gap or more. The length is the root of the gap times the smaller
+/// radius of gyration, over which the flow in the gap changes.
+///
+/// @param  gaps  of the later configuration
+/// @par Accuracy  iterations in the earlier tree, @ref claim_13_19
+bool tree_lasts(const Configuration& earlier, const Configuration& configuration,
+                const std::vector<Gap>& gaps, const Discretisation& discretisation);
+
 /// Returns whether components have a network of contacts that is too stiff for a tree of groups: two
 /// gaps below 0.005 of the smaller radius of gyration for each of more than 30 components, all free.
 bool is_crystal(const std::vector<Gap>& gaps, const Discretisation& discretisation);
