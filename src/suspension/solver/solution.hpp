@@ -30,7 +30,7 @@ struct Solution {
   Instant instant;                               ///< poses and forcing
   Discretisation discretisation;                 ///< nodes of the density
   std::shared_ptr<const LinearSystem> system{};  ///< on these nodes; none if it was dropped
-  SharedTree tree{};                             ///< of the system, also if it was dropped
+  SharedTree tree{};        ///< of the system; stages of a step that begins here share it
   ComplexVector density{};  ///< at all nodes, components in order, length / time
   /// Motions of every component about its position in the instant: solved on free bodies,
   /// prescribed for held bodies and rigid walls, else zero.
