@@ -45,11 +45,6 @@ Scene mixed(const std::vector<Wall>& walls) {
   return result;
 }
 
-Scene in_contact(Scene scene, double separation) {
-  scene.contact = ContactSettings{separation};
-  return scene;
-}
-
 // Returns equal bodies in a square of rows and columns, with narrow gaps, in a round container.
 Scene square_in_container(int rows, const Ellipse& shape, double tolerance = 1e-5) {
   const Complex spacing{2.0 * shape.a + 0.03, 2.0 * shape.b + 0.03};
@@ -325,14 +320,14 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   BOOST_TEST((chosen(disk_hexagon(2, 1e-3)) == hierarchical));
   BOOST_TEST((chosen(disk_hexagon(2, 1e-2, 1e-3)) == none));          // fewer digits
   BOOST_TEST((chosen(disk_hexagon(2, 1e-3, 1e-3)) == hierarchical));  // but tight gaps
-  BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
-  BOOST_TEST((chosen(in_contact(disk_hexagon(1, 1e-1), 0.05)) == none));
+  BOOST_TEST((chosen(with_contact(disk_hexagon(1, 1e-1), 0.1)) == direct));
+  BOOST_TEST((chosen(with_contact(disk_hexagon(1, 1e-1), 0.05)) == none));
   // Small systems are factorised for few pairs in contact, larger ones are not.
   const auto nodes = [](const Scene& scene) {
     return node_offsets(Discretised(scene).discrete.problem()).back();
   };
   const auto line = [](int count) {
-    return in_contact(with_gauge(loaded_line(count, 0.1), 100.0), 0.1);
+    return with_contact(with_gauge(loaded_line(count, 0.1), 100.0), 0.1);
   };
   BOOST_TEST(nodes(line(8)) == 256);
   BOOST_TEST((chosen(line(8)) == direct));
@@ -341,13 +336,13 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
   BOOST_TEST((chosen(disk_hexagon(3, 1e-1)) == none));
   BOOST_TEST((chosen(disk_hexagon(3, 1e-1, 1e-8)) == hierarchical));  // more digits
   BOOST_TEST((chosen(disk_hexagon(4, 1e-1)) == hierarchical));        // many gaps, though wide
-  BOOST_TEST((chosen(in_contact(disk_hexagon(3, 1e-1), 0.1)) == hierarchical));  // too many nodes
+  BOOST_TEST((chosen(with_contact(disk_hexagon(3, 1e-1), 0.1)) == hierarchical));  // too many nodes
   Scene two_of_many = disk_hexagon(2, 1.0);
   two_of_many.bodies.push_back(two_of_many.bodies.back());
   two_of_many.bodies.back().position *= 10.0;
   two_of_many.bodies.push_back(two_of_many.bodies.back());
   two_of_many.bodies.back().position += 2.05;
-  BOOST_TEST((chosen(in_contact(two_of_many, 0.05)) == none));  // too few pairs
+  BOOST_TEST((chosen(with_contact(two_of_many, 0.05)) == none));  // too few pairs
   Scene three_of_many = disk_hexagon(3, 1e-1, 1e-5);
   for (const double place : {20.0, 30.0, 40.0}) {
     for (const double aside : {0.0, 2.05}) {
@@ -355,7 +350,7 @@ BOOST_AUTO_TEST_CASE(the_plan_decides_by_gaps_and_size) {
       three_of_many.bodies.back().position = {place, aside};
     }
   }
-  BOOST_TEST((chosen(in_contact(three_of_many, 0.05)) == none));  // few pairs, and no wall
+  BOOST_TEST((chosen(with_contact(three_of_many, 0.05)) == none));  // few pairs, and no wall
   BOOST_TEST((chosen(disk_packing(150)) == hierarchical));
   BOOST_TEST((chosen(loaded_packing(1000, 0.1)) == hierarchical));
   BOOST_TEST((chosen(loaded_packing(1000, 0.05)) == none));  // most disks are far from all others
@@ -380,11 +375,11 @@ BOOST_AUTO_TEST_CASE(many_round_bodies_within_a_wall_have_no_tree) {
 BOOST_AUTO_TEST_CASE(solves_for_contact_forces_share_a_tree) {
   using enum PreconditionerKind;
   const Scene many = square_in_container(13, {1.0, 0.9});
-  BOOST_TEST((chosen(in_contact(many, 1e-3)) == block_diagonal));
-  BOOST_TEST((chosen(in_contact(many, 1.0)) == hierarchical));
+  BOOST_TEST((chosen(with_contact(many, 1e-3)) == block_diagonal));
+  BOOST_TEST((chosen(with_contact(many, 1.0)) == hierarchical));
   const Scene coarse = square_in_container(8, {1.0, 0.9}, 1e-3);
-  BOOST_TEST((chosen(in_contact(coarse, 1e-3)) == block_diagonal));
-  BOOST_TEST((chosen(in_contact(coarse, 1.0)) == hierarchical));
+  BOOST_TEST((chosen(with_contact(coarse, 1e-3)) == block_diagonal));
+  BOOST_TEST((chosen(with_contact(coarse, 1.0)) == hierarchical));
 }
 
 BOOST_AUTO_TEST_CASE(few_digits_need_a_tree_between_elongated_bodies_alone) {

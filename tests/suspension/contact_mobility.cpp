@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(changes_of_lasting_loads_are_foreseen) {
     t += dt;
     LoadColumns now(chain.solver, chain.solver.solve(chain.solver.instant(moving)), earlier, 1e-9,
                     t);
-    const std::vector<std::size_t> columns = now.find(pushes(moving, 0.0));
+    const std::vector<std::size_t> columns = now.find(pushes(moving, 0.0)).columns;
     Eigen::SparseVector<double> load(15);
     ComplexVector density = ComplexVector::Zero(now[0].density.size());
     for (const std::size_t i : columns) {

@@ -66,11 +66,6 @@ double over_the_best(const Scene& scene) {
   return with_choices / least;
 }
 
-Scene with_contact(Scene scene, double separation) {
-  scene.contact = ContactSettings{separation};
-  return scene;
-}
-
 Scene with_tolerance(Scene scene, double tolerance) {
   scene.solver.tolerance = tolerance;
   return scene;
@@ -106,7 +101,7 @@ Scene in_turning_circle(const Shape& shape, int count) {
   file.scene.walls = {
       {.role = WallRole::outer, .shape = Circle{radius}, .motion = RotatingWall{1.0}}};
   file.fills = {{.body = {.shape = shape}, .count = count, .clearance = gap}};
-  return with_contact(place_fills(file), gap);
+  return test::with_contact(place_fills(file), gap);
 }
 
 /// Returns a hexagon with at least this number of disks.
@@ -128,7 +123,7 @@ Scene crowd_in_extension(int count) {
                  .count = count,
                  .box = {{-half, -1.6 * half, half, 1.6 * half}},
                  .clearance = 0.05}};
-  return with_contact(place_fills(file), 0.05);
+  return test::with_contact(place_fills(file), 0.05);
 }
 
 /// Measures scenes of one kind with various numbers of bodies.
@@ -209,17 +204,19 @@ Experiment choices_in_contact() {
               {10, 30, 100, 300}),
        family("settling_contact", "disks that settle with contact, 0.55",
               [](int count) {
-                return with_contact(settling_in_container(1.0, count, 0.55, 0.01), 0.01);
+                return test::with_contact(settling_in_container(1.0, count, 0.55, 0.01), 0.01);
               },
               {10, 30, 100, 300}),
-       family(
-           "contact", "disks in shear with contact, 0.6",
-           [](int count) { return with_contact(test::sheared(loaded_packing(count, 0.6)), 1e-3); },
-           {10, 30, 100, 300}),
-       family(
-           "contact_of_ellipses", "ellipses 3:1 in shear with contact, 0.4",
-           [](int count) { return with_contact(test::sheared(loaded_ellipses(count, 0.4)), 1e-3); },
-           {10, 30, 100}),
+       family("contact", "disks in shear with contact, 0.6",
+              [](int count) {
+                return test::with_contact(test::sheared(loaded_packing(count, 0.6)), 1e-3);
+              },
+              {10, 30, 100, 300}),
+       family("contact_of_ellipses", "ellipses 3:1 in shear with contact, 0.4",
+              [](int count) {
+                return test::with_contact(test::sheared(loaded_ellipses(count, 0.4)), 1e-3);
+              },
+              {10, 30, 100}),
        family(
            "turning_disks", "disks with contact in a turning circle, 0.27, tolerance 1e-3",
            [](int count) { return in_turning_circle(Circle{0.19}, count); }, {10, 30, 100, 300},

@@ -171,6 +171,11 @@ Scene sheared(Scene scene) {
   return scene;
 }
 
+Scene with_contact(Scene scene, double separation) {
+  scene.contact = ContactSettings{separation};
+  return scene;
+}
+
 Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner) {
   scene.solver.preconditioner = preconditioner;
   return scene;

@@ -48,6 +48,9 @@ Scene ellipses_in_vortices(double tolerance = 1e-4);
 /// Returns the same scene in a shear flow, without loads.
 Scene sheared(Scene scene);
 
+/// Returns the same scene with a minimum separation, which contact maintains.
+Scene with_contact(Scene scene, double separation);
+
 /// Returns the same scene with the given preconditioner.
 Scene with_preconditioner(Scene scene, PreconditionerKind preconditioner);
 

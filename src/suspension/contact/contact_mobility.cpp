@@ -53,10 +53,11 @@ ContactMobility::ContactMobility(const SuspensionSolver& solver, const Solution&
 
 MatrixXd ContactMobility::operator()(const SparseMatrix<double>& loads) {
   const std::size_t known = columns_.size();
-  latest_columns_ = columns_.find(loads);
+  auto [columns, solved_again] = columns_.find(loads);
+  latest_columns_ = std::move(columns);
   const auto size = static_cast<Index>(columns_.size());
   if (columns_.size() > known) refinement_iterations_ = 0;
-  if (columns_.has_solved_again()) {  // no earlier combination is accurate any more
+  if (solved_again) {  // no earlier combination is accurate any more
     combination_weights_.resize(0);
     directions_.resize(size, 0);
   }

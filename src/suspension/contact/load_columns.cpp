@@ -89,8 +89,8 @@ LoadColumns::LoadColumns(const SuspensionSolver& solver, Solution solution, Mobi
       tightest_(tightest),
       tolerance_(std::max(earlier_.tolerance, tightest)),
       t_(t),
-      elapsed_(earlier_.loads.cols() > 0 ? t - earlier_.t : 0.0),
       load_scales_(load_scales_of(solution_.discretisation)) {
+  if (earlier_.loads.cols() == 0) earlier_.t = t;
   if (solution_.system->is_factorised()) return;  // back substitutions need no guesses
   const Configuration& configuration = solution_.instant.configuration;
   const Eigen::MatrixXcd guesses =
@@ -105,16 +105,16 @@ LoadColumns::LoadColumns(const SuspensionSolver& solver, Solution solution, Mobi
   }
 }
 
-std::vector<std::size_t> LoadColumns::find(const SparseMatrix<double>& loads) {
+FoundColumns LoadColumns::find(const SparseMatrix<double>& loads) {
   const SparseMatrix<double> scaled_loads = load_scales_.asDiagonal() * loads;
   const VectorXd angles = smallest_angles(scaled_loads);
   const std::size_t known = columns_.size();
-  std::vector<std::size_t> found;
-  solved_again_ = false;
+  FoundColumns found;
   for (Index j = 0; j < loads.cols(); ++j) {
-    found.push_back(find_or_add({loads.col(j), scaled_loads.col(j), {}}));
-    const bool has_changed = solve_to_tolerance(columns_[found.back()], angles[j]);
-    solved_again_ |= has_changed && found.back() < known;
+    const std::size_t column = find_or_add({loads.col(j), scaled_loads.col(j), {}});
+    const bool has_changed = solve_to_tolerance(columns_[column], angles[j]);
+    found.solved_again |= has_changed && column < known;
+    found.columns.push_back(column);
   }
   return found;
 }
@@ -226,22 +226,22 @@ void LoadColumns::correct(std::size_t column, const ComplexVector& change, doubl
 }
 
 ComplexVector LoadColumns::expected_change(const SparseVector<double>& load) const {
-  if (elapsed_ == 0.0 || earlier_.drift.load.size() == 0) return {};
+  if (elapsed() == 0.0 || earlier_.drift.load.size() == 0) return {};
   const Configuration& configuration = solution_.instant.configuration;
   const VectorXd drifting =
       load_scales_.asDiagonal() * rotate_forces(earlier_.drift.load, configuration, 1.0);
   const double part =
       drifting.dot(load_scales_.asDiagonal() * VectorXd(load)) / drifting.squaredNorm();
-  return elapsed_ * part *
+  return elapsed() * part *
          earlier_.drift.density.guess(0.0, configuration, solution_.discretisation);
 }
 
 void LoadColumns::remember_change(const SparseVector<double>& load, const ComplexVector& change) {
-  if (elapsed_ == 0.0) return;
+  if (elapsed() == 0.0) return;
   const Configuration& configuration = solution_.instant.configuration;
   earlier_.drift.load = rotate_forces(load, configuration, -1.0);
-  earlier_.drift.density.add(0.0, configuration, solution_.discretisation, change / elapsed_);
-  elapsed_ = 0.0;
+  earlier_.drift.density.add(0.0, configuration, solution_.discretisation, change / elapsed());
+  earlier_.t = t_;
 }
 
 bool LoadColumns::tighten() {

@@ -40,6 +40,12 @@ struct LoadColumn {
   double rhs_norm = 0.0;  ///< norm of the right-hand side; of the earlier one if it is reused
 };
 
+/// Where LoadColumns::find() has found columns.
+struct FoundColumns {
+  std::vector<std::size_t> columns;  ///< numbers of the columns, one for each load
+  bool solved_again = false;         ///< whether one of them was known before, less accurately
+};
+
 /// Solves for the flows under loads in one configuration, at most once for each load.
 ///
 /// A column is
@@ -58,16 +64,13 @@ class LoadColumns {
   LoadColumns(const SuspensionSolver& solver, Solution solution, MobilityColumns earlier,
               double tightest, double t = 0.0);
 
-  /// Returns the numbers of the columns of m loads. Solves for those whose columns are not known
-  /// from this or an earlier call, or not to the tolerance that now holds. Two loads that are
-  /// nearly parallel take a tolerance that is tighter in proportion to the angle between them.
+  /// Finds the columns of m loads. Solves for those whose columns are not known from this or an
+  /// earlier call, or not to the tolerance that now holds. Two loads that are nearly parallel take a
+  /// tolerance that is tighter in proportion to the angle between them.
   ///
   /// @param  loads  3K x m, forces / length and torques
   /// @throws SolverError when GMRES does not converge
-  std::vector<std::size_t> find(const Eigen::SparseMatrix<double>& loads);
-
-  /// Returns whether the latest find() has solved again for a column that was known before.
-  bool has_solved_again() const { return solved_again_; }
+  FoundColumns find(const Eigen::SparseMatrix<double>& loads);
 
   /// Adds a change to the density of a column.
   /// @param  tolerance  the relative residual that the column has had, if it exceeds the estimate
@@ -119,18 +122,18 @@ class LoadColumns {
   void solve_by_factors(LoadColumn& column) const;
   bool solve_to_tolerance(LoadColumn& column, double angle);
   void complete(LoadColumn& column, double rhs_norm) const;
+  double elapsed() const { return t_ - earlier_.t; }
 
   const SuspensionSolver& solver_;
   Solution solution_;
   MobilityColumns earlier_;
   double tightest_;
-  double tolerance_;    // relative residual of columns
-  double t_, elapsed_;  // time of the solution, and since that of the earlier columns; the latter 0
-                        // if there are none, and after remember_change()
+  double tolerance_;  // relative residual of columns
+  double t_;          // time of the solution; that of the earlier columns becomes the same by
+                      // remember_change()
   Eigen::VectorXd load_scales_;
   std::vector<LoadColumn> earlier_columns_;  // columns of earlier configurations, on these nodes
   std::vector<LoadColumn> columns_;          // columns of all loads so far
-  bool solved_again_ = false;
   SolveCost cost_;
   int solves_ = 0;
 };
