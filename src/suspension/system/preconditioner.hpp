@@ -45,12 +45,12 @@ HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& prob
 
 /// A tree of groups, and the components for which it was built.
 struct BuiltTree {
-  HierarchicalPreconditioner inverse;
-  std::vector<Eigen::Index> offsets;  ///< by node_offsets()
-  Configuration configuration;
+  HierarchicalPreconditioner inverse;  ///< the tree, an approximate inverse
+  std::vector<Eigen::Index> offsets;   ///< node_offsets() of the components
+  Configuration configuration;         ///< poses of the components
 };
 
-/// Trees of groups that the systems of several configurations share; empty: none.
+/// A tree of groups that the systems of several configurations may share; empty: none.
 using SharedTree = std::shared_ptr<const BuiltTree>;
 
 /// A preconditioner of a SuspensionOperator.
