@@ -28,8 +28,9 @@ constexpr int iterations_of_closer_column = 5;
 // combination by this part.
 constexpr double least_new_part = 1e-3;
 
-// Largest motion that definite_correction() may add, over the solver's tolerance.
-constexpr double most_correction = 0.1, infinite = std::numeric_limits<double>::infinity();
+// Largest motion that definite_correction() may add, over the solver's tolerance. Where all bodies
+// are pressed together, motions change by up to two hundred times as much.
+constexpr double most_correction = 0.01, infinite = std::numeric_limits<double>::infinity();
 
 // Returns the largest velocity of a free body, or angular velocity times radius of gyration.
 double largest_motion(const VectorXd& velocities, const VectorXd& scales) {

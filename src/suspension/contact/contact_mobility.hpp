@@ -20,7 +20,7 @@ namespace stokesbook {
 /// difference, and the weights follow from the corrected columns.
 ///
 /// Errors of the columns may make the mobility indefinite: definite_correction() corrects them, by
-/// up to a tenth of the solver's tolerance. If a larger correction is required, the columns are
+/// up to a hundredth of the solver's tolerance. If a larger correction is required, the columns are
 /// solved to a tighter tolerance, and in the end used with their correction, however large.
 ///
 /// The residual of a combination shows the quality of the columns. Columns with a larger residual
