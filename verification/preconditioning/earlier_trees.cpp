@@ -2,7 +2,6 @@
 // iterations with those in a new tree, and with the price of building one.
 #include <ctime>
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "experiments.hpp"

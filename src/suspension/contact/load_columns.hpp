@@ -129,8 +129,8 @@ class LoadColumns {
   MobilityColumns earlier_;
   double tightest_;
   double tolerance_;  // relative residual of columns
-  double t_;          // time of the solution; that of the earlier columns becomes the same by
-                      // remember_change()
+  double t_;          // time of the solution; earlier_ has the same time where no change is to be
+                      // foreseen: without earlier columns, and after remember_change()
   Eigen::VectorXd load_scales_;
   std::vector<LoadColumn> earlier_columns_;  // columns of earlier configurations, on these nodes
   std::vector<LoadColumn> columns_;          // columns of all loads so far

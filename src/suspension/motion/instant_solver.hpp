@@ -64,6 +64,7 @@ class InstantSolver {
   /// deviation over dt^2, a smooth function of time. It is added to the guesses of later stages,
   /// and subtracted from the density of a stage for the guess at the end. The lagged coupling takes
   /// densities as they are.
+  /// @param  tree  that of the solution with which the step begins; empty: none
   /// @par Accuracy  the guess at the end leaves a residual of order dt^4, @ref claim_09_40
   TimedSolution solve_stage(const StepTime& time, const Configuration& configuration,
                             const SharedTree& tree = {});

@@ -9,9 +9,9 @@
 #include "krylov/gmres.hpp"
 #include "near_singular/near_correction.hpp"
 #include "suspension/bodies/gaps.hpp"
+#include "suspension/system/built_tree.hpp"
 #include "suspension/system/fast_sum.hpp"
 #include "suspension/system/plan.hpp"
-#include "suspension/system/preconditioner.hpp"
 
 namespace stokesbook {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "closure/problem.hpp"
@@ -9,6 +8,7 @@
 #include "preconditioning/cluster_preconditioner.hpp"
 #include "preconditioning/hierarchical_preconditioner.hpp"
 #include "suspension/bodies/gaps.hpp"
+#include "suspension/system/built_tree.hpp"
 #include "suspension/system/plan.hpp"
 
 namespace stokesbook {
@@ -42,16 +42,6 @@ HierarchicalPreconditioner hierarchical_preconditioner(const StokesProblem& prob
                                                        const Discretisation& discretisation,
                                                        const std::vector<PlacedCurve>& placed,
                                                        const HierarchySettings& settings = {});
-
-/// A tree of groups, and the components for which it was built.
-struct BuiltTree {
-  HierarchicalPreconditioner inverse;  ///< the tree, an approximate inverse
-  std::vector<Eigen::Index> offsets;   ///< node_offsets() of the components
-  Configuration configuration;         ///< poses of the components
-};
-
-/// A tree of groups that the systems of several configurations may share; empty: none.
-using SharedTree = std::shared_ptr<const BuiltTree>;
 
 /// A preconditioner of a SuspensionOperator.
 struct Preconditioner {
